@@ -77,7 +77,8 @@ public:
 std::unique_ptr<Engine> make_engine(System const& system, Method method, Precision precision,
                                     Start const& start);
 
-/// Goes on from a checkpoint of the same system and precision; any method continues to the same bits.
+/// Goes on from a checkpoint of the same system and precision; any method continues to the same
+/// bits.
 std::unique_ptr<Engine> make_engine(System const& system, Method method, Precision precision,
                                     Checkpoint const& checkpoint);
 

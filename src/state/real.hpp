@@ -21,7 +21,6 @@ template <class Real> constexpr Real infinity = std::numeric_limits<Real>::infin
 
 /// How many doubles add up to any value of this type without loss: 1 for float and double,
 /// 2 for an 80-bit long double, 3 for quad.
-template <class Real>
-constexpr int limb_count = (std::numeric_limits<Real>::digits + 52) / 53;
+template <class Real> constexpr int limb_count = (std::numeric_limits<Real>::digits + 52) / 53;
 
 } // namespace clack

@@ -13,10 +13,10 @@ enum class Boundary { walls, periodic };
 /// stay in [diameter / 2, side - diameter / 2], with periodic boundaries in [0, side].
 struct System {
     Boundary boundary = Boundary::walls;
-    double side = 1;         // [length]
-    std::int64_t count = 0;  // number of balls
-    double diameter = 1;     // [length]
-    double mass = 1;         // [mass]
+    double side = 1;        // [length]
+    std::int64_t count = 0; // number of balls
+    double diameter = 1;    // [length]
+    double mass = 1;        // [mass]
 
     double volume() const { return side * side * side; }
     double number_density() const { return static_cast<double>(count) / volume(); }
@@ -24,10 +24,9 @@ struct System {
         return number_density() * std::numbers::pi / 6 * diameter * diameter * diameter;
     }
     /// Side of the cube that the centres can reach.
-    double accessible_side() const {
-        return boundary == Boundary::walls ? side - diameter : side;
-    }
-    /// Velocity degrees of freedom of an equilibrium run: the total momentum of a periodic run is 0.
+    double accessible_side() const { return boundary == Boundary::walls ? side - diameter : side; }
+    /// Velocity degrees of freedom of an equilibrium run: the total momentum of a periodic run is
+    /// 0.
     double degrees_of_freedom() const {
         double const all = 3 * static_cast<double>(count);
         return boundary == Boundary::walls || count < 2 ? all : all - 3;
