@@ -1,11 +1,12 @@
 #pragma once
-// The floating types that a run can be made in, and what the rest of the code asks of them.
+// The floating types that a run can be made in, and the few operations that fix its bits.
 
 #include <boost/multiprecision/float128.hpp>
 
 #include <Eigen/Core>
 #include <boost/multiprecision/eigen.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace clack {
@@ -16,11 +17,25 @@ using quad = boost::multiprecision::float128;
 /// A place, a velocity or a separation in three dimensions.
 template <class Real> using Vector3 = Eigen::Matrix<Real, 3, 1>;
 
-template <class Real> constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
-template <class Real> constexpr Real infinity = std::numeric_limits<Real>::infinity();
+template <class Real> inline Real const unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
+template <class Real> inline Real const infinity = std::numeric_limits<Real>::infinity();
 
 /// How many doubles add up to any value of this type without loss: 1 for float and double,
 /// 2 for an 80-bit long double, 3 for quad.
 template <class Real> constexpr int limb_count = (std::numeric_limits<Real>::digits + 52) / 53;
+
+/// a . b, added from left to right. Eigen chooses an order by the vector unit it finds; the bits of
+/// a run must not depend on that.
+template <class Real> Real dot(Vector3<Real> const& a, Vector3<Real> const& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The nearest whole number, halves to even, by the rounding of one addition: it costs two
+/// instructions in a vector unit of any age and is odd, nearest(-x) == -nearest(x). Exact while
+/// |x| < 2^(digits - 2), which no box reaches.
+template <class Number, class Real = Number> Number nearest_integer(Number x) {
+    Real const shift = 3 / (2 * std::numeric_limits<Real>::epsilon()); // 1.5 2^(digits - 1)
+    return (x + shift) - shift;
+}
 
 } // namespace clack

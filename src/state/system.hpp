@@ -33,4 +33,10 @@ struct System {
     }
 };
 
+/// A periodic box below four diameters: one ball may touch another through more than one image, and
+/// no grid of cells tells them apart.
+inline bool touches_through_several_images(System const& system) {
+    return system.boundary == Boundary::periodic && system.side < 4.1 * system.diameter;
+}
+
 } // namespace clack

@@ -1,0 +1,134 @@
+#pragma once
+// Cells at least one diameter wide: a ball can only touch balls of its own and the 26 cells around.
+
+#include "neighbours/cell_bins.hpp"
+#include "neighbours/every_pair.hpp"
+#include "neighbours/neighbour_search.hpp"
+#include "state/container.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clack {
+
+/// How a cube is cut into cells.
+template <class Real> struct CellLattice {
+    Real origin, side, inverse_side; // of a cell
+    std::int32_t per_side;
+
+    /// As many cells as the balls' number wants (`balls_per_cell` on average), never narrower than
+    /// `width`, never fewer than four across a periodic cube.
+    template <class Container>
+    CellLattice(System const& system, Container const& cube, double width, double balls_per_cell) {
+        double const extent = static_cast<double>(cube.extent());
+        // Wider by what rounding can move a ball, so that none is met from two cells away.
+        double const rounding =
+            1024 * static_cast<double>(unit_roundoff<Real>) * (system.diameter + system.side);
+        double const wanted =
+            std::cbrt(balls_per_cell / static_cast<double>(system.count)) * extent;
+        double const cells = std::floor(extent / std::max(width + rounding, wanted));
+        constexpr double cells_max = 1290; // their cube still fits 31 bits
+        constexpr int periodic_min = 4;    // with 3, a pair could touch through two images
+        int const least = Container::boundary == Boundary::periodic ? periodic_min : 1;
+        per_side = std::max(least, static_cast<int>(std::min(cells, cells_max)));
+        origin = cube.origin();
+        side = cube.extent() / static_cast<Real>(per_side);
+        inverse_side = side > 0 ? 1 / side : Real(0);
+    }
+
+    CellBins::Cell cell_at(Vector3<Real> const& place) const {
+        CellBins::Cell cell;
+        for (int d = 0; d < 3; ++d) {
+            auto const raw = static_cast<std::int32_t>((place[d] - origin) * inverse_side);
+            cell[static_cast<std::size_t>(d)] = std::clamp(raw, 0, per_side - 1);
+        }
+        return cell;
+    }
+};
+
+/// Balls by cell; a ball that leaves its cell expires.
+template <class Real, class Container> class CellGrid {
+public:
+    CellGrid(System const& system, Container const& cube)
+        : cube_(cube), lattice_(system, cube, system.diameter, balls_per_cell),
+          bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
+          exit_(static_cast<std::size_t>(system.count)) {}
+
+    void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
+        bins_.clear();
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            Vector3<Real> place = balls[i].position(now);
+            cube_.wrap(place);
+            bins_.insert(static_cast<std::int32_t>(i), lattice_.cell_at(place));
+        }
+    }
+
+    std::span<std::int32_t const> candidates(std::int32_t ball) {
+        found_.clear();
+        bins_.collect_block(bins_.cell_of(ball), {-1, -1, -1}, {1, 1, 1}, found_);
+        return padded(ball);
+    }
+
+    /// When the ball leaves its cell. The cell is what the last crossing said, never what the
+    /// coordinate says: that may lie an ulp on either side.
+    Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) {
+        Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
+        CellBins::Cell const& cell = bins_.cell_of(ball);
+        Vector3<Real> const place = record.position(now);
+        Real first = infinity<Real>;
+        for (int d = 0; d < 3; ++d) {
+            Real const v = record.velocity[d];
+            std::int32_t const ahead = cell[static_cast<std::size_t>(d)] + (v > 0 ? 1 : 0);
+            bool const at_wall = Container::boundary == Boundary::walls &&
+                                 (ahead == 0 || ahead == lattice_.per_side);
+            if (v == 0 || at_wall) continue;
+            Real distance = lattice_.origin + static_cast<Real>(ahead) * lattice_.side - place[d];
+            if constexpr (Container::boundary == Boundary::periodic)
+                distance -= cube_.image(distance) * cube_.side;
+            Real const wait = distance / v;
+            Real const when = wait > 0 ? now + wait : now;
+            if (when < first) {
+                first = when;
+                exit_[static_cast<std::size_t>(ball)] = static_cast<std::int8_t>(d);
+            }
+        }
+        return first;
+    }
+
+    /// Moves the ball to the next cell along the axis it leaves by; only the nine cells behind the
+    /// new face can hold balls that it could not touch before.
+    std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
+                                          Real) {
+        auto const d = static_cast<std::size_t>(exit_[static_cast<std::size_t>(ball)]);
+        Real const v = balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(d)];
+        std::int32_t const direction = v > 0 ? 1 : -1;
+        CellBins::Cell cell = bins_.cell_of(ball);
+        bins_.neighbour(cell[d], direction, cell[d]);
+        bins_.remove(ball);
+        bins_.insert(ball, cell);
+        CellBins::Cell from{-1, -1, -1}, to{1, 1, 1};
+        from[d] = to[d] = direction;
+        found_.clear();
+        bins_.collect_block(cell, from, to, found_);
+        return padded(ball);
+    }
+
+    std::size_t bytes() const { return bins_.bytes() + exit_.capacity() + found_.capacity() * 4; }
+
+private:
+    // Fewer make crossings, more make candidates: the flat optimum of their cost together.
+    static constexpr double balls_per_cell = 0.7;
+
+    std::span<std::int32_t const> padded(std::int32_t ball) {
+        while (found_.size() % lane_count != 0) found_.push_back(ball);
+        return found_;
+    }
+
+    Container cube_;
+    CellLattice<Real> lattice_;
+    CellBins bins_;
+    std::vector<std::int8_t> exit_;   // the axis along which the ball will leave its cell
+    std::vector<std::int32_t> found_; // reused
+};
+
+} // namespace clack

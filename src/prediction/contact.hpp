@@ -1,0 +1,68 @@
+#pragma once
+// When two balls will touch.
+
+#include "prediction/lanes.hpp"
+#include "state/container.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace clack {
+
+/// A pair as its two records give it at the later of their two times: separation and relative
+/// velocity, j minus i. One pair, or eight at a time.
+template <class Number> struct Pair {
+    Number x, y, z, vx, vy, vz;
+    Number time;
+};
+
+/// The balls of the model that nearly every scene needs: their diameter does not change.
+template <class Real> struct SteadyDiameter {
+    Real squared;
+
+    explicit SteadyDiameter(Real diameter) : squared(diameter * diameter) {}
+
+    /// When the pair touches; NaN when it never does, so that no comparison finds it earliest.
+    /// An overlapping pair that approaches touches at once, one that recedes never does.
+    /// The root is c / (-b + sqrt(disc)), which subtracts no near-equal numbers, and the
+    /// discriminant v.v d^2 - |r x v|^2, which keeps its digits for grazing and for distant pairs.
+    template <class Number>
+    [[gnu::always_inline]] Number contact_time(Pair<Number> const& p) const {
+        Number const zero{};
+        Number const never = zero + std::numeric_limits<Real>::quiet_NaN();
+        Number const b = p.x * p.vx + p.y * p.vy + p.z * p.vz;
+        if constexpr (!is_lanes<Number>) {
+            if (!(b < 0)) return never;
+        }
+        Number const c = p.x * p.x + p.y * p.y + p.z * p.z - squared;
+        Number const speed2 = p.vx * p.vx + p.vy * p.vy + p.vz * p.vz;
+        Number const cross_x = p.y * p.vz - p.z * p.vy;
+        Number const cross_y = p.z * p.vx - p.x * p.vz;
+        Number const cross_z = p.x * p.vy - p.y * p.vx;
+        Number const cross2 = cross_x * cross_x + cross_y * cross_y + cross_z * cross_z;
+        Number const disc = speed2 * squared - cross2;
+        if constexpr (!is_lanes<Number>) {
+            if (c > zero && disc < zero) return never;
+        }
+        // In lanes a negative discriminant makes a NaN that goes through to the end.
+        Number const root = square_root(select(c > zero, disc, b * b));
+        Number const when = p.time + select(c > zero, c, zero) / (root - b);
+        return select(b < zero, when, never);
+    }
+};
+
+/// The pair of two records, through the image that is nearest at time `now` (any moment since both
+/// records hold, at which the pair is nearer than half a side, gives the same image).
+template <class Real, class Container>
+Pair<Real> pair_of(Ball<Real> const& i, Ball<Real> const& j, Container const& cube, Real now) {
+    Real const time = later(i.time, j.time);
+    Vector3<Real> r = j.position(time) - i.position(time);
+    Vector3<Real> const v = j.velocity - i.velocity;
+    if constexpr (Container::boundary == Boundary::periodic) {
+        Vector3<Real> const there = r + v * (now - time);
+        for (int d = 0; d < 3; ++d) r[d] -= cube.image(there[d]) * cube.side;
+    }
+    return {r[0], r[1], r[2], v[0], v[1], v[2], time};
+}
+
+} // namespace clack

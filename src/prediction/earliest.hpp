@@ -1,0 +1,168 @@
+#pragma once
+// The earliest contact of one ball with any of its candidates.
+
+#include "prediction/contact.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace clack {
+
+constexpr std::int32_t no_ball = -1;
+
+/// The contact that a search over candidates found; `ball` is no_ball and `time` infinite when
+/// there is none.
+template <class Real> struct Contact {
+    Real time = infinity<Real>;
+    std::int32_t ball = no_ball;
+};
+
+/// What a prediction reads: the records, their permanent numbers, the cube and the balls' model.
+template <class Real, class Container, class Model> struct Scenery {
+    std::vector<Ball<Real>> const& balls;
+    std::vector<std::int32_t> const& numbers;
+    Container const& cube;
+    Model const& model;
+    bool several_images; // the box is so small that a pair can touch through more than one image
+};
+
+/// Time of the contact of balls i and j through any image; NaN when they never touch.
+template <class Real, class Container, class Model>
+Real contact_time(Scenery<Real, Container, Model> const& scenery, std::int32_t i, std::int32_t j,
+                  Real now) {
+    auto const& balls = scenery.balls;
+    auto const index = [](std::int32_t ball) { return static_cast<std::size_t>(ball); };
+    Pair<Real> const nearest = pair_of(balls[index(i)], balls[index(j)], scenery.cube, now);
+    if constexpr (Container::boundary == Boundary::periodic) {
+        if (scenery.several_images) {
+            Real best = std::numeric_limits<Real>::quiet_NaN();
+            for (int image = 0; image < 27; ++image) {
+                Pair<Real> pair = nearest;
+                pair.x += static_cast<Real>(image % 3 - 1) * scenery.cube.side;
+                pair.y += static_cast<Real>(image / 3 % 3 - 1) * scenery.cube.side;
+                pair.z += static_cast<Real>(image / 9 - 1) * scenery.cube.side;
+                Real const time = scenery.model.contact_time(pair);
+                if (!(best <= time) && time == time) best = time;
+            }
+            return best;
+        }
+    }
+    return scenery.model.contact_time(nearest);
+}
+
+/// One candidate after the other: what eight at a time must agree with to the last bit, and what
+/// the types without a vector unit use. Equal times go to the lower number.
+template <class Real, class Container, class Model>
+Contact<Real> earliest_one_by_one(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                                  std::span<std::int32_t const> candidates, Real now) {
+    auto const number = [&](std::int32_t ball) {
+        return scenery.numbers[static_cast<std::size_t>(ball)];
+    };
+    Contact<Real> best;
+    for (std::int32_t const j : candidates) {
+        if (j == i) continue;
+        Real const time = contact_time(scenery, i, j, now);
+        if (time < best.time ||
+            (time == best.time && best.ball != no_ball && number(j) < number(best.ball))) {
+            best = {time, j};
+        }
+    }
+    return best;
+}
+
+/// How the records of a ball and its candidates lie in time.
+enum class Flight {
+    begins_now, // the ball was written at `now`: every pair's time is `now`
+    goes_on     // it flies since earlier: each pair has its own time
+};
+
+/// The pairs of one ball with eight others.
+template <Flight flight, class Real, class Container>
+[[gnu::always_inline]] inline Pair<Lanes<Real>>
+pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& cube, Real now) {
+    using V = Lanes<Real>;
+    V time = broadcast(ball.time);
+    V x = broadcast(ball.point[0]), y = broadcast(ball.point[1]), z = broadcast(ball.point[2]);
+    if constexpr (flight == Flight::goes_on) {
+        time = later(time, other.time);
+        V const flown = time - ball.time;
+        x = x + ball.velocity[0] * flown;
+        y = y + ball.velocity[1] * flown;
+        z = z + ball.velocity[2] * flown;
+    }
+    V const flown = time - other.time;
+    Pair<V> pair{(other.x + other.vx * flown) - x,
+                 (other.y + other.vy * flown) - y,
+                 (other.z + other.vz * flown) - z,
+                 other.vx - ball.velocity[0],
+                 other.vy - ball.velocity[1],
+                 other.vz - ball.velocity[2],
+                 time};
+    if constexpr (Container::boundary == Boundary::periodic) {
+        auto const nearest = [&](V distance, V velocity) {
+            if constexpr (flight == Flight::begins_now)
+                return distance - cube.image(distance) * cube.side;
+            else
+                return distance - cube.image(distance + velocity * (now - time)) * cube.side;
+        };
+        pair.x = nearest(pair.x, pair.vx);
+        pair.y = nearest(pair.y, pair.vy);
+        pair.z = nearest(pair.z, pair.vz);
+    }
+    return pair;
+}
+
+/// Eight candidates at a time. `candidates` is padded with i itself to a whole number of eights: a
+/// ball never touches itself, having no velocity relative to itself.
+template <Flight flight, class Real, class Container, class Model>
+Contact<Real> earliest_by_eights(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                                 std::span<std::int32_t const> candidates, Real now) {
+    using V = Lanes<Real>;
+    using I = LaneIntegers<Real>;
+    Ball<Real> const ball = scenery.balls[static_cast<std::size_t>(i)];
+    V best = broadcast(infinity<Real>);
+    I batch{}, tie{};
+    for (std::size_t first = 0; first < candidates.size(); first += lane_count) {
+        BallLanes<Real> const other = load_balls(scenery.balls.data(), candidates.data() + first);
+        V const time = scenery.model.contact_time(pairs_of<flight>(ball, other, scenery.cube, now));
+        tie |= time == best;
+        I const earlier = time < best;
+        best = earlier ? time : best;
+        batch = earlier ? I{} + static_cast<decltype(batch[0] + 0)>(first) : batch;
+    }
+
+    Contact<Real> winner;
+    bool tied = false;
+    for (int lane = 0; lane < lane_count; ++lane) {
+        tied |= tie[lane] != 0;
+        if (best[lane] < winner.time) {
+            winner = {
+                best[lane],
+                candidates[static_cast<std::size_t>(batch[lane]) + static_cast<std::size_t>(lane)]};
+        } else {
+            tied |= best[lane] == winner.time && winner.ball != no_ball;
+        }
+    }
+    // Ties are for lattices: then the numbers decide, one by one.
+    return tied ? earliest_one_by_one(scenery, i, candidates, now) : winner;
+}
+
+/// The earliest contact of ball i with the candidates (padded as above), at or after the later of
+/// each pair's records.
+///   now  the present offset: it picks the images and nothing else
+template <class Real, class Container, class Model>
+Contact<Real> earliest_contact(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                               std::span<std::int32_t const> candidates, Real now) {
+    if constexpr (has_lanes<Real>) {
+        if (!scenery.several_images) {
+            // The newest record spares a quarter of the arithmetic and gives the same bits.
+            if (scenery.balls[static_cast<std::size_t>(i)].time == now)
+                return earliest_by_eights<Flight::begins_now>(scenery, i, candidates, now);
+            return earliest_by_eights<Flight::goes_on>(scenery, i, candidates, now);
+        }
+    }
+    return earliest_one_by_one(scenery, i, candidates, now);
+}
+
+} // namespace clack

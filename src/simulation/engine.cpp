@@ -1,0 +1,57 @@
+#include "simulation/build_engine.hpp"
+
+namespace clack {
+
+namespace {
+
+std::unique_ptr<Engine> build(System const& system, Method method, Precision precision,
+                              Origin const& origin) {
+    switch (precision) {
+    case Precision::single_:
+        return build_engine<float>(system, method, precision, origin);
+    case Precision::double_:
+        return build_engine<double>(system, method, precision, origin);
+    case Precision::extended:
+        return build_engine<long double>(system, method, precision, origin);
+    default:
+        return build_engine<quad>(system, method, precision, origin);
+    }
+}
+
+std::size_t number_bytes(Precision precision) {
+    switch (precision) {
+    case Precision::single_:
+        return sizeof(float);
+    case Precision::double_:
+        return sizeof(double);
+    default:
+        return sizeof(quad);
+    }
+}
+
+} // namespace
+
+std::unique_ptr<Engine> make_engine(System const& system, Method method, Precision precision,
+                                    Start const& start) {
+    return build(system, method, precision, {.start = &start, .checkpoint = nullptr});
+}
+
+std::unique_ptr<Engine> make_engine(System const& system, Method method, Precision precision,
+                                    Checkpoint const& checkpoint) {
+    return build(system, method, precision, {.start = nullptr, .checkpoint = &checkpoint});
+}
+
+std::size_t expected_bytes(System const& system, Method method, Precision precision) {
+    ModelChoice const choice = choose_model(system, method, precision);
+    std::size_t const number = number_bytes(precision);
+    // Record, next event, start and snapshot; then what the search and the queue hold.
+    std::size_t per_ball = 8 * number + 3 * number + 4 + 2 * 6 * sizeof(double);
+    if (system.boundary == Boundary::periodic) per_ball += 12;
+    if (choice.search != SearchKind::every_pair) per_ball += 32 * 3 / 2 + 13;
+    if (choice.search == SearchKind::neighbour_list) per_ball += 3 * number + 4 + 4 * 40;
+    if (choice.queue != QueueKind::collision_table) per_ball += 12 + 2 * 4;
+    constexpr std::size_t program = 32u << 20;
+    return program + per_ball * static_cast<std::size_t>(system.count);
+}
+
+} // namespace clack

@@ -1,0 +1,259 @@
+#pragma once
+// The event loop: from one event to the next, exactly.
+
+#include "neighbours/neighbour_search.hpp"
+#include "prediction/earliest.hpp"
+#include "resolution/collision.hpp"
+#include "resolution/elastic_balls.hpp"
+#include "scheduling/event_queue.hpp"
+#include "simulation/engine.hpp"
+#include "simulation/laws.hpp"
+#include "state/ball_state.hpp"
+
+#include <type_traits>
+#include <utility>
+
+namespace clack {
+
+/// For runs that nobody watches: the calls are compiled out.
+struct NoObserver {};
+
+/// n equal hard balls in a cube. `Search` says which balls can meet, `Queue` which event is next:
+/// indexes both, that leave no trace in the run. `Model` is what a collision is.
+template <class Real, template <class> class Container, template <class, class> class Search,
+          template <class> class Queue, template <class> class Model = ElasticBalls>
+requires NeighbourSearch<Search<Real, Container<Real>>, Real> && EventQueue<Queue<Real>, Real>
+class Simulation {
+public:
+    using Number = Real;
+
+    /// Goes on from the state of a run: a fresh start, or a checkpoint.
+    explicit Simulation(BallState<Real, Container<Real>> state)
+        : state_(std::move(state)), model_(state_.system), next_(state_.numbers),
+          search_(state_.system, state_.cube), queue_(next_.size()),
+          laws_(state_.system, state_.clock.length),
+          several_images_(touches_through_several_images(state_.system)) {
+        rebuild();
+    }
+    Simulation(Simulation const&) = delete; // the indexes refer to the state beside them
+    Simulation& operator=(Simulation const&) = delete;
+
+    /// The event loop. Events come in their total order; what an event is depends on the records
+    /// alone, so any search and any queue go the same way to the last bit.
+    template <class Observer> Stop advance(Goal const& goal, Observer&& observe) {
+        Clock<Real> const until = moment<Real>(goal.time, clock_.length);
+        for (std::uint64_t events = 0;; ++events) {
+            if (tallies_.ball_collisions >= goal.ball_collisions) return Stop::collisions;
+            if (events == goal.events) return Stop::events;
+            std::int32_t const ball = queue_.earliest(next_);
+            Real const time = ball == no_event ? infinity<Real> : next_[ball].time();
+            if (clock_.epoch > until.epoch) return Stop::time;
+            if (clock_.epoch == until.epoch && time > until.offset) {
+                clock_.offset = later(clock_.offset, until.offset);
+                return Stop::time;
+            }
+            if (!(time < static_cast<Real>(clock_.length))) {
+                if (ball == no_event && goal.time == infinity<double>) return Stop::never;
+                begin_epoch();
+                continue;
+            }
+            laws_.time_goes_on(clock_, time);
+            clock_.offset = time;
+            take(ball, observe);
+        }
+    }
+
+    /// Makes the present moment time 0 and forgets what was counted.
+    void start_clock() {
+        state_.set_records_to(clock_.offset);
+        clock_.epoch = 0;
+        tallies_ = {};
+        rebuild();
+    }
+
+    BallState<Real, Container<Real>> const& state() const { return state_; }
+
+    std::size_t bytes() const {
+        return state_.bytes() + next_.bytes() + search_.bytes() + queue_.bytes();
+    }
+
+private:
+    static constexpr bool periodic = Container<Real>::boundary == Boundary::periodic;
+
+    auto scenery() const {
+        return Scenery<Real, Container<Real>, Model<Real>>{state_.balls, state_.numbers,
+                                                           state_.cube, model_, several_images_};
+    }
+
+    // --- one event
+
+    template <class Observer> void take(std::int32_t ball, Observer& observe) {
+        switch (next_.kind(ball)) {
+        case EventKind::expiry:
+            refresh(ball);
+            break;
+        case EventKind::wall:
+            bounce(ball, wall_of(next_[ball].partner), observe);
+            break;
+        case EventKind::ball:
+            // A partner that has changed course since does not agree: look again.
+            next_.mutual(ball) ? collide(ball, next_[ball].partner, observe) : predict(ball);
+        }
+    }
+
+    template <class Observer> void collide(std::int32_t i, std::int32_t j, Observer& observe) {
+        if (next_.number(j) < next_.number(i)) std::swap(i, j);
+        state_.fly_to(i, clock_.offset);
+        state_.fly_to(j, clock_.offset);
+        Pair<Real> const pair = pair_of(state_[i], state_[j], state_.cube, clock_.offset);
+        Vector3<Real> const separation{pair.x, pair.y, pair.z};
+        Real const distance2 = dot<Real>(separation, separation);
+        Real const diameter2 = model_.diameter_squared(clock_.offset);
+        laws_.in_contact(distance2, diameter2, pair, clock_, next_.number(i), next_.number(j),
+                         tallies_);
+
+        Vector3<Real> const impulse = static_cast<Real>(state_.system.mass) *
+                                      model_.collide(state_[i].velocity, state_[j].velocity,
+                                                     separation, tallies_.ball_collisions);
+        ++tallies_.ball_collisions;
+        tallies_.virial += static_cast<double>(dot<Real>(separation, impulse));
+        double const overlap = static_cast<double>((diameter2 - distance2) / (2 * diameter2));
+        if (overlap > tallies_.deepest_overlap) tallies_.deepest_overlap = overlap;
+        if constexpr (!std::is_same_v<Observer, NoObserver>)
+            observe(collision(CollisionKind::ball, i, next_.number(j), state_[j].velocity,
+                              separation, impulse));
+        predict(i);
+        predict(j);
+        if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(i, j);
+    }
+
+    template <class Observer> void bounce(std::int32_t ball, std::int32_t wall, Observer& observe) {
+        state_.fly_to(ball, clock_.offset);
+        if constexpr (!periodic) {
+            int const d = wall / 2;
+            int const towards = wall % 2 == 0 ? -1 : 1;
+            Real const before = state_[ball].velocity[d];
+            Real const after = model_.reflect(before, towards);
+            state_[ball].point[d] = model_.plane(state_.cube, towards, clock_.offset);
+            state_[ball].velocity[d] = after;
+            Vector3<Real> impulse = Vector3<Real>::Zero();
+            impulse[d] = static_cast<Real>(state_.system.mass) * (before - after);
+            ++tallies_.wall_collisions;
+            tallies_.wall_impulse += towards * static_cast<double>(impulse[d]);
+            if constexpr (!std::is_same_v<Observer, NoObserver>)
+                observe(collision(CollisionKind::wall, ball, wall, Vector3<Real>::Zero(),
+                                  Vector3<Real>::Zero(), impulse));
+        }
+        predict(ball);
+        if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(ball, ball);
+    }
+
+    /// The search's own event: new candidates for a ball that flies on. The collision that it has
+    /// found stays unless one of them comes first.
+    void refresh(std::int32_t ball) {
+        auto const fresh = search_.refresh(state_.balls, ball, clock_.offset);
+        Contact<Real> const found = earliest_contact(scenery(), ball, fresh, clock_.offset);
+        next_[ball].expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
+        bool const first =
+            found.ball != no_ball && next_.contact_precedes(found.time, ball, found.ball);
+        if (first) {
+            next_[ball].contact = found.time;
+            next_[ball].partner = found.ball;
+        }
+        queue_.update(next_, ball);
+        // Only news is told: the partner may have changed course since the old contact was found.
+        if (first) tell_partner(ball);
+    }
+
+    // --- prediction
+
+    /// The next event of one ball from all its candidates and the walls.
+    NextEvent<Real> next_event(std::int32_t ball) {
+        Real const now = clock_.offset;
+        Contact<Real> const found =
+            earliest_contact(scenery(), ball, search_.candidates(ball), now);
+        NextEvent<Real> event;
+        if (found.ball != no_ball) event = {found.time, infinity<Real>, found.ball};
+        if constexpr (!periodic) {
+            WallContact<Real> const wall = model_.wall_contact(state_[ball], state_.cube);
+            if (wall.time < event.contact) {
+                event.contact = wall.time;
+                event.partner = wall_partner(wall.wall);
+            }
+        }
+        event.expiry = model_.expiry(search_.expiry(state_.balls, ball, now));
+        return event;
+    }
+
+    void predict(std::int32_t ball) {
+        next_[ball] = next_event(ball);
+        queue_.update(next_, ball);
+        tell_partner(ball);
+    }
+
+    /// The ball that this one is now going to hit takes note if that comes before its own plans.
+    void tell_partner(std::int32_t ball) {
+        NextEvent<Real> const& event = next_[ball];
+        if (event.partner < 0 || !next_.contact_precedes(event.contact, event.partner, ball))
+            return;
+        next_[event.partner].contact = event.contact;
+        next_[event.partner].partner = ball;
+        queue_.update(next_, event.partner);
+    }
+
+    /// The report's second update: balls that were going to hit one of the two look again.
+    void sweep(std::int32_t i, std::int32_t j) {
+        for (std::int32_t ball = 0; ball < state_.count(); ++ball) {
+            Partner const partner = next_[ball].partner;
+            if ((partner == i || partner == j) && ball != i && ball != j && !next_.mutual(ball))
+                predict(ball);
+        }
+    }
+
+    // --- indexes
+
+    void begin_epoch() {
+        auto const length = static_cast<Real>(clock_.length);
+        state_.set_records_to(length);
+        ++clock_.epoch;
+        model_.begin_epoch(length);
+        if constexpr (Model<Real>::keeps_energy)
+            laws_.energy_is_kept(state_.kinetic_energy(), clock_, tallies_);
+        state_.put_in_memory_order();
+        rebuild();
+    }
+
+    void rebuild() {
+        search_.rebuild(state_.balls, clock_.offset);
+        for (std::int32_t ball = 0; ball < state_.count(); ++ball) next_[ball] = next_event(ball);
+        queue_.rebuild(next_, clock_.offset);
+    }
+
+    Collision<Real> collision(CollisionKind kind, std::int32_t first, std::int64_t second,
+                              Vector3<Real> const& velocity_second, Vector3<Real> const& separation,
+                              Vector3<Real> const& impulse) {
+        return {kind,
+                clock_.epoch,
+                clock_.offset,
+                clock_.time(),
+                next_.number(first),
+                second,
+                state_[first].velocity,
+                velocity_second,
+                state_[first].point,
+                separation,
+                impulse};
+    }
+
+    BallState<Real, Container<Real>> state_;
+    Clock<Real>& clock_ = state_.clock;
+    Tallies& tallies_ = state_.tallies;
+    Model<Real> model_;
+    NextEvents<Real> next_;
+    Search<Real, Container<Real>> search_;
+    Queue<Real> queue_;
+    Laws<Real> laws_;
+    bool several_images_;
+};
+
+} // namespace clack
