@@ -114,7 +114,7 @@ pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& 
 }
 
 /// Eight candidates at a time. `candidates` is padded with i itself to a whole number of eights: a
-/// ball never touches itself, having no velocity relative to itself.
+/// ball never touches itself, having no velocity relative to itself (unless balls grow).
 template <Flight flight, class Real, class Container, class Model>
 Contact<Real> earliest_by_eights(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
                                  std::span<std::int32_t const> candidates, Real now) {
@@ -125,7 +125,13 @@ Contact<Real> earliest_by_eights(Scenery<Real, Container, Model> const& scenery,
     I batch{}, tie{};
     for (std::size_t first = 0; first < candidates.size(); first += lane_count) {
         BallLanes<Real> const other = load_balls(scenery.balls.data(), candidates.data() + first);
-        V const time = scenery.model.contact_time(pairs_of<flight>(ball, other, scenery.cube, now));
+        V time = scenery.model.contact_time(pairs_of<flight>(ball, other, scenery.cube, now));
+        if constexpr (Model::grows) {
+            for (int lane = 0; lane < lane_count; ++lane) {
+                if (candidates[first + static_cast<std::size_t>(lane)] == i)
+                    time[lane] = std::numeric_limits<Real>::quiet_NaN();
+            }
+        }
         tie |= time == best;
         I const earlier = time < best;
         best = earlier ? time : best;

@@ -15,9 +15,13 @@ template <class Real> struct ElasticBalls : SteadyDiameter<Real> {
     explicit ElasticBalls(System const& system)
         : SteadyDiameter<Real>(static_cast<Real>(system.diameter)) {}
 
+    static constexpr bool grows = false;
     static constexpr bool keeps_energy = true;
 
     Real diameter_squared(Real /*time*/) const { return this->squared; }
+
+    /// The system as a search for neighbours should take it.
+    System as_searched(System const& system) const { return system; }
 
     template <class Container>
     WallContact<Real> wall_contact(Ball<Real> const& ball, Container const& cube) const {

@@ -10,6 +10,7 @@
 #include "simulation/laws.hpp"
 #include "state/ball_state.hpp"
 
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -28,9 +29,11 @@ public:
     using Number = Real;
 
     /// Goes on from the state of a run: a fresh start, or a checkpoint.
-    explicit Simulation(BallState<Real, Container<Real>> state)
-        : state_(std::move(state)), model_(state_.system), next_(state_.numbers),
-          search_(state_.system, state_.cube), queue_(next_.size()),
+    explicit Simulation(BallState<Real, Container<Real>>&& state)
+        : Simulation(std::move(state), Model<Real>(state.system)) {}
+    Simulation(BallState<Real, Container<Real>>&& state, Model<Real> model)
+        : state_(std::move(state)), model_(std::move(model)), next_(state_.numbers),
+          search_(model_.as_searched(state_.system), state_.cube), queue_(next_.size()),
           laws_(state_.system, state_.clock.length),
           several_images_(touches_through_several_images(state_.system)) {
         rebuild();

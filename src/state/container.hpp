@@ -14,10 +14,11 @@ namespace clack {
 template <class Real> struct WalledCube {
     static constexpr Boundary boundary = Boundary::walls;
 
+    Real diameter; // of the balls that the planes are for
     Real low, high;
 
     explicit WalledCube(System const& system)
-        : low(static_cast<Real>(system.diameter) / 2),
+        : diameter(static_cast<Real>(system.diameter)), low(static_cast<Real>(system.diameter) / 2),
           high(static_cast<Real>(system.side) - static_cast<Real>(system.diameter) / 2) {}
 
     Real origin() const { return low; }
