@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,21 +22,32 @@ std::string text_of(fs::path const& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::vector<std::string> lines_of(std::string const& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
 /// The folders in the first column of the README's table, lowest layer first.
 std::vector<std::string> layers_of(std::string const& readme) {
     auto const begin = readme.find("<!-- layers -->");
     auto const end = readme.find("<!-- end of layers -->");
-    if (begin == std::string::npos || end == std::string::npos) {
-        return {};
-    }
-    std::string const table = readme.substr(begin, end - begin);
-    std::regex const row(R"(\n\| `([^`]+?)/?` \|)");
+    if (begin == std::string::npos || end == std::string::npos) return {};
     std::vector<std::string> layers;
-    for (std::sregex_iterator match(table.begin(), table.end(), row), last; match != last;
-         ++match) {
-        layers.push_back((*match)[1]);
+    for (std::string const& line : lines_of(readme.substr(begin, end - begin))) {
+        if (!line.starts_with("| `")) continue;
+        std::string const folder = line.substr(3, line.find('`', 3) - 3);
+        layers.push_back(folder.ends_with('/') ? folder.substr(0, folder.size() - 1) : folder);
     }
     return layers;
+}
+
+/// What a line includes, between its brackets or quotation marks; the opening one stands first.
+std::optional<std::string> include_of(std::string line) {
+    std::erase_if(line, [](char const c) { return c == ' ' || c == '\t'; });
+    if (!line.starts_with("#include") || line.size() < 10) return std::nullopt;
+    return line.substr(8, line.find_first_of(">\"", 9) - 8);
 }
 
 /// The layer that a path relative to the root lies in: "src/state/real.hpp" in "src/state".
@@ -96,18 +108,16 @@ private:
     }
 
     void check_file(fs::path const& file) {
-        std::string const text = text_of(file);
         fs::path const here = fs::relative(file, root_);
-        std::regex const include(R"re((?:^|\n)\s*#\s*include\s*([<"])([^">]+)[">])re");
-        for (std::sregex_iterator match(text.begin(), text.end(), include), last; match != last;
-             ++match) {
-            std::string const name = (*match)[2];
+        for (std::string const& line : lines_of(text_of(file))) {
+            auto const include = include_of(line);
+            if (!include) continue;
+            std::string const name = include->substr(1);
             fs::path const there = included_path(root_, name);
             if (!there.empty()) {
-                if (rank(layer_of(there)) > rank(layer_of(here))) {
+                if (rank(layer_of(there)) > rank(layer_of(here)))
                     violations_.insert(here.string() + " includes the higher " + there.string());
-                }
-            } else if ((*match)[1] == "\"") {
+            } else if (include->front() == '"') {
                 violations_.insert(here.string() + " includes " + name +
                                    ", which is neither below src/ nor below the root");
             }
