@@ -85,13 +85,22 @@ Test kolmogorov_smirnov(std::vector<double> probabilities) {
 
 double anderson_darling_limit(double const z) {
     if (z <= 0) return 0;
-    if (z < 2)
-        return std::exp(-1.2337141 / z) / std::sqrt(z) *
-               (2.00012 +
-                (0.247105 - (0.0649821 - (0.0347962 - (0.011672 - 0.00168691 * z) * z) * z) * z) *
-                    z);
-    return std::exp(-std::exp(
-        1.0776 - (2.30695 - (0.43424 - (0.082433 - (0.008056 - 0.0003146 * z) * z) * z) * z) * z));
+    constexpr double negligible = 40; // exp(-40) is below a rounding
+    constexpr double step = 0.1;      // trapezoids: error exp(-2 pi / step), the poles being at +-i
+    double sum = 0, coefficient = 1;  // binomial(-1/2, j)
+    for (int j = 0;; ++j) {
+        double const odd = 4 * j + 1;
+        double const t = odd * odd * std::numbers::pi * std::numbers::pi / (8 * z);
+        if (t - z / 8 > negligible) break;
+        double integral = std::exp(z / 8 - t) / 2;
+        for (int k = 1; t * (k * step) * (k * step) < negligible; ++k) {
+            double const square = (k * step) * (k * step);
+            integral += std::exp(z / (8 * (square + 1)) - t * (square + 1));
+        }
+        sum += coefficient * odd * integral * step;
+        coefficient *= -(0.5 + j) / (j + 1);
+    }
+    return std::clamp(std::sqrt(2 * std::numbers::pi) / z * sum, 0.0, 1.0);
 }
 
 Test anderson_darling(std::vector<double> probabilities) {

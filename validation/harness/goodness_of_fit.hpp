@@ -25,7 +25,8 @@ Test chi_square(std::vector<std::int64_t> const& counts);
 Test kolmogorov_smirnov(std::vector<double> probabilities);
 
 /// Anderson and Darling's A^2, which weighs the tails. Arguments as kolmogorov_smirnov.
-/// The p-value is right to 1e-5 from a size of 8 on.
+/// The p-value is the limit law's with Marsaglia and Marsaglia's correction for the sample's size,
+/// right to 1e-4 from a size of 8 on.
 /// Source: G. Marsaglia, J. Marsaglia, J. Statist. Software 9(2) (2004),
 /// doi:10.18637/jss.v009.i02.
 Test anderson_darling(std::vector<double> probabilities);
@@ -33,7 +34,9 @@ Test anderson_darling(std::vector<double> probabilities);
 /// Probability that the limit of sqrt(size) times Kolmogorov and Smirnov's distance is up to x.
 double kolmogorov_limit(double x);
 
-/// Probability that the limit of A^2 is up to z.
+/// Probability that the limit of A^2 is up to z, by the series of the source, right to 1e-13 for z
+/// up to 100. Source: T. W. Anderson, D. A. Darling, Ann. Math. Statist. 23, 193 (1952),
+/// doi:10.1214/aoms/1177729437.
 double anderson_darling_limit(double z);
 
 } // namespace clack::validation
