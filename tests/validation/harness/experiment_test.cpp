@@ -1,0 +1,82 @@
+#include "reference/published_table.hpp"
+#include "state/errors.hpp"
+#include "validation/harness/experiment.hpp"
+
+#include "temporary_directory.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <vector>
+
+using namespace clack;
+using namespace clack::validation;
+
+namespace {
+
+Question const question{"demo", "does two and two make four?", "none: it is arithmetic"};
+
+int run_with(std::vector<char const*> arguments, std::function<Verdict(Experiment&)> const& ask) {
+    arguments.insert(arguments.begin(), "demo");
+    return run(static_cast<int>(arguments.size()), arguments.data(), question, ask);
+}
+
+Verdict never(Experiment&) { throw std::logic_error("must not be asked"); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(verdict_is_the_exit_code) {
+    TemporaryDirectory const directory("experiment");
+    std::vector<char const*> const there{"-o", directory.path.c_str()};
+    BOOST_TEST(run_with(there, [](Experiment&) { return Verdict::agrees; }) == 0);
+    BOOST_TEST(run_with(there, [](Experiment&) { return Verdict::differs; }) == 1);
+    BOOST_TEST(run_with(there, [](Experiment&) { return Verdict::undecided; }) == 1);
+    BOOST_TEST(run_with(there, [](Experiment&) -> Verdict { throw LawBroken("overlap"); }) == 1);
+    BOOST_TEST(run_with(there, [](Experiment&) -> Verdict { throw InputError("no"); }) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(options_say_how_much_and_where) {
+    TemporaryDirectory const directory("experiment");
+    auto const nested = (directory.path / "a" / "b").string();
+    BOOST_TEST(run_with({"--profile", "full", "-o", nested.c_str()}, [](Experiment& experiment) {
+                   return experiment.profile() == Profile::full ? Verdict::agrees
+                                                                : Verdict::differs;
+               }) == 0);
+    BOOST_TEST(std::filesystem::is_directory(nested));
+    BOOST_TEST(run_with({"-o", nested.c_str()}, [](Experiment& experiment) {
+                   return experiment.profile() == Profile::quick ? Verdict::agrees
+                                                                 : Verdict::differs;
+               }) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(mistakes_on_the_command_line_are_the_users) {
+    BOOST_TEST(run_with({"--profile", "slow"}, never) == 2);
+    BOOST_TEST(run_with({"--colour"}, never) == 2);
+    BOOST_TEST(run_with({"-o", "/proc/nowhere"}, never) == 2);
+    BOOST_TEST(run_with({"--help"}, never) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
+    TemporaryDirectory const directory("experiment");
+    auto const ask = [](Experiment& experiment) {
+        Csv csv({"number", "doubled"});
+        csv.row({cell(2), cell(4)});
+        experiment.write(csv);
+        experiment.write(csv, "_again");
+        Macros macros("Demo");
+        macros.define("Sum", "4");
+        experiment.write(macros);
+        experiment.write_table(tabular("r", {"sum"}, {{"4"}}));
+        return Verdict::agrees;
+    };
+    BOOST_REQUIRE(run_with({"-o", directory.path.c_str()}, ask) == 0);
+    std::string const csv = text_of(directory.path / "demo.csv");
+    for (char const* line :
+         {"# experiment: demo", "# question: does two", "# profile: quick", "# commit: ",
+          "# program: ", "# compiler: ", "# machine: ", "# seeds: ", "# margin: none"})
+        BOOST_TEST(csv.find(line) != std::string::npos, line);
+    reference::PublishedTable const table(directory.path / "demo_again.csv");
+    BOOST_TEST(table.column("doubled").at(0) == 4);
+    BOOST_TEST(text_of(directory.path / "demo.tex").find("\\newcommand{\\DemoSum}{4}") !=
+               std::string::npos);
+    BOOST_TEST(text_of(directory.path / "demo_table.tex").starts_with("\\begin{tabular}"));
+}

@@ -1,0 +1,106 @@
+#include "validation/harness/verdict.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace clack::validation;
+
+namespace {
+
+Verdict verdict_of(double const difference, double const error, double const margin) {
+    return judge({Comparison{"x", {5 + difference, error}, 5, 0, margin}})[0].verdict;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(small_difference_known_well_agrees) {
+    BOOST_TEST((verdict_of(0.5, 0.25, 1) == Verdict::agrees)); // 2 errors inside the margin
+    BOOST_TEST((verdict_of(-0.5, 0.25, 1) == Verdict::agrees));
+}
+
+BOOST_AUTO_TEST_CASE(large_difference_known_well_differs) {
+    BOOST_TEST((verdict_of(2, 0.25, 1) == Verdict::differs)); // 4 errors outside
+    BOOST_TEST((verdict_of(-2, 0.25, 1) == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(difference_known_poorly_is_undecided) {
+    BOOST_TEST((verdict_of(0, 2, 1) == Verdict::undecided));
+    BOOST_TEST((verdict_of(2, 2, 1) == Verdict::undecided));
+    BOOST_TEST((verdict_of(1, 0.1, 1) == Verdict::undecided)); // on the margin itself
+}
+
+BOOST_AUTO_TEST_CASE(difference_that_is_certain_but_within_the_margin_agrees) {
+    auto const judged = judge({Comparison{"x", {5.5, 0.01}, 5, 0, 1}})[0];
+    BOOST_TEST((judged.verdict == Verdict::agrees));
+    BOOST_TEST(std::abs(judged.z - 50) < 1e-10); // and shows
+}
+
+BOOST_AUTO_TEST_CASE(few_replicates_weigh_less) {
+    Comparison comparison{"x", {7, 0.25, 2}, 5, 0, 1};
+    BOOST_TEST((judge({comparison})[0].verdict == Verdict::undecided)); // t of 2: 4 is not rare
+    comparison.measured.degrees_of_freedom = 50;
+    BOOST_TEST((judge({comparison})[0].verdict == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(reference_error_counts) {
+    Comparison const comparison{"x", {8, 3}, 0, 4, 1};
+    BOOST_TEST(std::abs(judge({comparison})[0].z - 8.0 / 5) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(many_comparisons_need_a_larger_difference) {
+    Comparison const odd{"odd", {5 + 1 + 2.6 * 0.2, 0.2}, 5, 0, 1}; // 2.6 errors outside
+    Comparison const good{"good", {5, 0.2}, 5, 0, 1};
+    BOOST_TEST((judge({odd})[0].verdict == Verdict::differs));
+    auto const family = judge({odd, good, good, good, good, good});
+    BOOST_TEST((family[0].verdict == Verdict::undecided));
+    BOOST_TEST((family[1].verdict == Verdict::agrees));
+}
+
+BOOST_AUTO_TEST_CASE(false_verdicts_are_as_rare_as_stated) {
+    gsl_rng* const random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(random, 3);
+    constexpr int trials = 20'000;
+    Risks const risks{.false_alarm = 0.05, .false_agreement = 0.05};
+    int alarms = 0, agreements = 0;
+    for (int k = 0; k < trials; ++k) {
+        // the true difference is the margin: both answers would be wrong
+        std::vector<double> replicates(8);
+        for (double& value : replicates) value = 1 + gsl_ran_gaussian(random, 0.5);
+        Verdict const verdict =
+            judge({Comparison{"x", mean_of(replicates), 0, 0, 1}}, risks)[0].verdict;
+        alarms += verdict == Verdict::differs;
+        agreements += verdict == Verdict::agrees;
+    }
+    gsl_rng_free(random);
+    double const expected = 0.05 * trials;
+    BOOST_TEST(std::abs(alarms - expected) < 4 * std::sqrt(expected));
+    BOOST_TEST(std::abs(agreements - expected) < 4 * std::sqrt(expected));
+}
+
+BOOST_AUTO_TEST_CASE(comparison_without_margin_or_error_is_refused) {
+    BOOST_CHECK_THROW(judge({Comparison{"x", {1, 0.1}, 1, 0, 0}}), std::invalid_argument);
+    BOOST_CHECK_THROW(judge({Comparison{"x", {1, 0}, 1, 0, 1}}), std::invalid_argument);
+    BOOST_CHECK_THROW(judge({Comparison{"x", {1, NAN}, 1, 0, 1}}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(law_is_refused_by_a_small_p_value_after_holm) {
+    auto const one = judge({GoodnessOfFit{"a", 0.006}}, 0.01);
+    BOOST_TEST((one[0] == Verdict::differs));
+    auto const two = judge({GoodnessOfFit{"a", 0.006}, GoodnessOfFit{"b", 0.5}}, 0.01);
+    BOOST_TEST((two[0] == Verdict::agrees));
+}
+
+BOOST_AUTO_TEST_CASE(one_difference_spoils_all) {
+    using enum Verdict;
+    BOOST_TEST((together(std::vector{agrees, agrees}) == agrees));
+    BOOST_TEST((together(std::vector{agrees, undecided}) == undecided));
+    BOOST_TEST((together(std::vector{undecided, differs, agrees}) == differs));
+    BOOST_TEST((together(std::vector<Verdict>{}) == undecided)); // nothing was asked
+    BOOST_TEST(exit_code(agrees) == 0);
+    BOOST_TEST(exit_code(differs) == 1);
+    BOOST_TEST(exit_code(undecided) == 1);
+}

@@ -1,0 +1,114 @@
+#include "validation/harness/campaign.hpp"
+
+#include "state/errors.hpp"
+#include "validation/harness/seeds.hpp"
+#include "validation/harness/write_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+namespace clack::validation {
+
+namespace {
+
+/// The end of a line that was written whole.
+constexpr char line_end = ';';
+
+struct Line {
+    std::string state_point;
+    int replicate;
+    Measurement values;
+};
+
+std::string written(Line const& line, std::uint64_t const seed) {
+    return fmt::format("{}|{}|{}|{} {}", line.state_point, line.replicate, seed,
+                       fmt::join(line.values, " "), line_end);
+}
+
+template <class Number> bool parse(std::string const& text, Number& number) {
+    char const* const end = text.data() + text.size();
+    auto const [stopped, failure] = std::from_chars(text.data(), end, number);
+    return failure == std::errc() && stopped == end;
+}
+
+std::optional<Line> read(std::string const& text) {
+    Line line;
+    std::istringstream stream(text);
+    std::string replicate, seed, values;
+    if (text.empty() || text.back() != line_end || !std::getline(stream, line.state_point, '|') ||
+        !std::getline(stream, replicate, '|') || !std::getline(stream, seed, '|') ||
+        !std::getline(stream, values, line_end))
+        return std::nullopt;
+    if (!parse(replicate, line.replicate)) return std::nullopt;
+    std::istringstream numbers(values);
+    for (std::string number; numbers >> number;)
+        if (!parse(number, line.values.emplace_back())) return std::nullopt;
+    return line;
+}
+
+std::string contents(std::filesystem::path const& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+} // namespace
+
+Campaign::Campaign(std::string stem, std::filesystem::path const& directory,
+                   std::string const& program)
+    : stem_(std::move(stem)), path_(directory / (stem_ + ".replicates")) {
+    recall(fmt::format("# replicates of {}, program {}", stem_, program));
+}
+
+void Campaign::recall(std::string const& header) {
+    std::istringstream file(contents(path_));
+    std::string kept = header + '\n';
+    std::string text;
+    if (std::getline(file, text) && text == header)
+        while (std::getline(file, text))
+            if (auto const line = read(text)) {
+                known_[{line->state_point, line->replicate}] = line->values;
+                kept += text + '\n';
+            }
+    // Written anew, so that the next line does not run on from one cut short, and moved into place,
+    // so that an interruption here loses nothing either.
+    write_file(path_, kept);
+}
+
+void Campaign::append(std::string const& line) {
+    std::ofstream file(path_, std::ios::binary | std::ios::app);
+    file << line << '\n' << std::flush;
+    if (!file) throw InputError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+std::vector<Measurement> Campaign::replicates(std::string const& state_point, int const count,
+                                              Measure const& measure) {
+    std::vector<Measurement> all;
+    for (int replicate = 0; replicate < count; ++replicate) {
+        auto const found = known_.find({state_point, replicate});
+        if (found != known_.end()) {
+            all.push_back(found->second);
+            continue;
+        }
+        std::cout << fmt::format("{}: {}: replicate {} of {}\n", stem_, state_point, replicate + 1,
+                                 count)
+                  << std::flush;
+        std::uint64_t const seed = seed_of(stem_, state_point, replicate);
+        Line const line{state_point, replicate, measure(seed)};
+        append(written(line, seed));
+        known_[{state_point, replicate}] = line.values;
+        ++measured_count_;
+        all.push_back(line.values);
+    }
+    return all;
+}
+
+std::string program_hash() { return fmt::format("{:016x}", hash_of(contents("/proc/self/exe"))); }
+
+} // namespace clack::validation

@@ -1,0 +1,53 @@
+#pragma once
+// What all experiments have in common: a question goes in, a verdict comes out, results are left
+// behind.
+
+#include "validation/harness/campaign.hpp"
+#include "validation/harness/csv.hpp"
+#include "validation/harness/latex.hpp"
+#include "validation/harness/options.hpp"
+#include "validation/harness/verdict.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace clack::validation {
+
+/// One question asked of the engine.
+struct Question {
+    std::string stem;   // the name of the experiment's source, data, plot script and figure
+    std::string text;   // what is asked
+    std::string margin; // what difference would not matter, and why
+};
+
+/// The run of an experiment: its options, its memory, and where its results go.
+class Experiment {
+public:
+    Experiment(Question question, Options options);
+
+    Profile profile() const { return options_.profile; }
+    Campaign& campaign() { return campaign_; }
+
+    /// Writes directory/stem<suffix>.csv under the provenance.
+    void write(Csv const& csv, std::string const& suffix = "") const;
+    /// Writes directory/stem.tex.
+    void write(Macros const& macros) const;
+    /// Writes directory/stem_table.tex, a tabular.
+    void write_table(std::string const& tabular) const;
+
+private:
+    std::vector<std::string> header() const;
+
+    Question question_;
+    Options options_;
+    Campaign campaign_;
+};
+
+/// Runs an experiment as a program: reads the options, asks, prints the verdict.
+/// Returns the exit code: 0 agrees (or help was asked for), 1 differs or undecided, or a law of
+/// nature was broken; 2 the user's mistake.
+int run(int argc, char const* const* argv, Question const& question,
+        std::function<Verdict(Experiment&)> const& ask);
+
+} // namespace clack::validation
