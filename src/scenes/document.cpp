@@ -35,8 +35,12 @@ std::string shown(toml::node const& node) {
     if (node.is_array()) return "[...]";
     if (node.is_table()) return "{...}";
     if (auto const* const text = node.as_string()) return cut("\"" + text->get() + "\"");
-    if (auto const* const number = node.as_floating_point())
-        return fmt::format("{}", number->get());
+    if (auto const* const number = node.as_floating_point()) {
+        auto const digits = fmt::format("{}", number->get());
+        // 100.0 is not the whole number 100.
+        return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0"
+                                                                            : digits;
+    }
     if (auto const* const number = node.as_integer()) return fmt::format("{}", number->get());
     if (auto const* const flag = node.as_boolean()) return flag->get() ? "true" : "false";
     return "a date or time";
@@ -77,7 +81,7 @@ void Document::check_names() const {
         if (section != nullptr && !section->name.empty()) {
             check_section(section->name, key, node);
         } else if (!find_section("")->knows(key.str())) {
-            auto const name = cut(std::string(key.str()));
+            auto const name = key.str().empty() ? "\"\"" : cut(std::string(key.str()));
             throw input_error(fmt::format(
                 "{}: not a section or key of a scene, which has title, [container], [balls], "
                 "[velocities], [run], [output]; correct or remove it ({}:{})",

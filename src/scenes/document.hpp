@@ -2,6 +2,7 @@
 // A scene file as text with known sections and keys: remembers where each value came from, so that
 // every mistake can be shown at its line.
 
+#include "scenes/key.hpp"
 #include "state/errors.hpp"
 
 #include <Eigen/Core>
@@ -17,11 +18,6 @@
 #include <vector>
 
 namespace clack {
-
-/// `name` in `[section]`; at the top of the file where the section is empty.
-struct Key {
-    std::string_view section, name;
-};
 
 /// The closed interval that a number must lie in, and what it stands for.
 struct Range {

@@ -18,36 +18,73 @@ namespace {
 /// Insertion ends near 0.38, where no hole is left; up to here it takes a few draws a ball.
 constexpr double insertion_limit = 0.25;
 
+/// So many balls are simply tried: the room at the walls, most of a small cube's, is not counted by
+/// any packing fraction.
+constexpr std::int64_t a_few = 32;
+
 /// Draws for one ball before the start is given up for smaller balls.
 constexpr int most_draws = 2000;
 
-Eigen::Vector3d draw_place(System const& system, Generator& generator) {
+/// Balls are inserted block by block, so that what is looked at stays in the cache. Each block gets
+/// its even share, which also keeps the density even over long distances.
+constexpr double balls_per_block = 256;
+
+/// A part of the room that the centres have.
+struct Block {
+    Eigen::Vector3d corner;
+    double edge;
+};
+
+Block block_of(System const& system, std::int64_t number, std::int64_t blocks_per_side) {
+    double const edge = system.accessible_side() / static_cast<double>(blocks_per_side);
     double const low = system.boundary == Boundary::walls ? system.diameter / 2 : 0;
-    double const x = low + system.accessible_side() * uniform(generator);
-    double const y = low + system.accessible_side() * uniform(generator);
-    double const z = low + system.accessible_side() * uniform(generator);
+    auto const corner = [&](std::int64_t index) {
+        return low + edge * static_cast<double>(index % blocks_per_side);
+    };
+    return {{corner(number), corner(number / blocks_per_side),
+             corner(number / (blocks_per_side * blocks_per_side))},
+            edge};
+}
+
+Eigen::Vector3d draw_place(Block const& block, Generator& generator) {
+    double const x = block.corner.x() + block.edge * uniform(generator);
+    double const y = block.corner.y() + block.edge * uniform(generator);
+    double const z = block.corner.z() + block.edge * uniform(generator);
     return {x, y, z};
 }
 
-/// Balls of `diameter`, in the room that balls of the system's own diameter have between walls.
+/// Balls of `diameter`, in the room that balls of the system's own diameter have between walls; or
+/// nothing when a ball finds no place.
 std::optional<Eigen::Matrix3Xd> insert_balls(System const& system, double diameter,
                                              Generator& generator) {
-    NearPlaces near(system, diameter, system.count);
+    std::int64_t const per_side = std::max<std::int64_t>(
+        1,
+        static_cast<std::int64_t>(cube_root(static_cast<double>(system.count) / balls_per_block)));
+    std::int64_t const blocks = per_side * per_side * per_side;
+    // Dilute: cells for a ball or two, not a thousand empty ones each.
+    double const mean_spacing = system.side / cube_root(static_cast<double>(system.count));
+    NearPlaces near(system, std::max(diameter, mean_spacing), system.count);
     Eigen::Matrix3Xd places(3, system.count);
-    double const contact = diameter * diameter;
-    for (Eigen::Index ball = 0; ball < system.count; ++ball) {
-        bool free = false;
-        for (int draw = 0; draw < most_draws && !free; ++draw) {
-            Eigen::Vector3d const place = draw_place(system, generator);
-            free = true;
-            near.visit_near(place, [&](std::int32_t other) {
-                free = squared_length(separation_of(system, place, places.col(other))) >= contact;
-                return free ? NearPlaces::Visit::go_on : NearPlaces::Visit::stop;
-            });
-            places.col(ball) = place;
+    auto const is_free = [&](Eigen::Vector3d const& place) {
+        bool free = true;
+        near.visit_near(place, [&](std::int32_t other) {
+            free = squared_length(separation_of(system, place, places.col(other))) >=
+                   diameter * diameter;
+            return free ? NearPlaces::Visit::go_on : NearPlaces::Visit::stop;
+        });
+        return free;
+    };
+    Eigen::Index ball = 0;
+    for (std::int64_t number = 0; number < blocks; ++number) {
+        Block const block = block_of(system, number, per_side);
+        for (; ball < (number + 1) * system.count / blocks; ++ball) {
+            int draws = 0;
+            do {
+                if (++draws > most_draws) return std::nullopt;
+                places.col(ball) = draw_place(block, generator);
+            } while (!is_free(places.col(ball)));
+            near.add(places.col(ball));
         }
-        if (!free) return std::nullopt;
-        near.add(places.col(ball));
     }
     return places;
 }
@@ -63,7 +100,9 @@ double easily_inserted_diameter(System const& system) {
 
 Eigen::Matrix3Xd place_at_random(System const& system, std::uint64_t seed) {
     Generator generator = make_generator(seed, Stream::places);
-    double diameter = std::min(system.diameter, easily_inserted_diameter(system));
+    double diameter = system.count <= a_few
+                          ? system.diameter
+                          : std::min(system.diameter, easily_inserted_diameter(system));
     auto places = insert_balls(system, diameter, generator);
     while (!places) {
         diameter *= 0.9; // a few balls can block a small cube: begin again with smaller ones

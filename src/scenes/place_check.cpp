@@ -54,14 +54,12 @@ std::string why_a_place_is_outside(System const& system, Eigen::Matrix3Xd const&
     for (Eigen::Index ball = 0; ball < places.cols(); ++ball)
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             double const x = places(axis, ball);
+            if (x >= low - rounding(system) && x <= high + rounding(system)) continue;
             auto const name = fmt::format("position {} of ball {} = {}", axis_name[axis], ball, x);
             if (!std::isfinite(x)) return name + ": must be a finite number; correct it";
-            if (x < low - rounding(system) || x > high + rounding(system))
-                return fmt::format("{}: {} must lie in [{:.10g}, {:.10g}]{}; move it or enlarge "
-                                   "side",
-                                   name,
-                                   walls ? "the ball sticks out of the cube, its centre" : "it",
-                                   low, high, walls ? ", half a diameter from the walls" : "");
+            return fmt::format("{}: {} must lie in [{:.10g}, {:.10g}]{}; move it or enlarge side",
+                               name, walls ? "the ball sticks out of the cube, its centre" : "it",
+                               low, high, walls ? ", half a diameter from the walls" : "");
         }
     return "";
 }

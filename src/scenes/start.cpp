@@ -1,7 +1,7 @@
 #include "scenes/insertion.hpp"
 #include "scenes/lattice.hpp"
-#include "scenes/limits.hpp"
 #include "scenes/message.hpp"
+#include "scenes/motion.hpp"
 #include "scenes/packing.hpp"
 #include "scenes/place_check.hpp"
 #include "scenes/scene.hpp"
@@ -77,51 +77,6 @@ void check_finite(Scene const& scene, Eigen::Matrix3Xd const& velocities) {
                                                 "xyz"[axis], ball, velocities(axis, ball)));
 }
 
-/// A goal that counts collisions needs balls that can meet.
-void check_that_something_happens(Scene const& scene, double fastest) {
-    std::string const goal = scene.equilibrate > 0       ? "equilibrate"
-                             : scene.collisions_per_ball ? "collisions_per_ball"
-                             : scene.collisions          ? "collisions"
-                                                         : "";
-    if (goal.empty()) return;
-    if (scene.system.count == 1)
-        throw refuse(scene, goal + " counts collisions between balls, and a single ball has none: "
-                                   "nothing will ever happen; set time instead");
-    if (fastest == 0)
-        throw refuse(scene, goal + " counts collisions, and all velocities are zero: nothing will "
-                                   "ever happen; give a temperature or velocities, or set time "
-                                   "instead");
-}
-
-/// Speeds must suit the precision, the goal's time and the time between frames.
-void check_speeds(Scene const& scene, double fastest) {
-    if (fastest == 0) return;
-    auto const [smallest, largest] = magnitudes(scene.precision);
-    if (fastest < smallest || fastest > largest)
-        throw refuse(scene, fmt::format("the fastest ball has speed {:.4g}: must lie in [{:.4g}, "
-                                        "{:.4g}] at this precision; choose other units",
-                                        fastest, smallest, largest));
-    double const crossings = scene.time.value_or(0) * fastest / scene.system.side;
-    if (crossings > most_crossings)
-        throw refuse(scene,
-                     fmt::format("time = {}: the fastest ball crosses the cube {:.4g} times, "
-                                 "above {:.4g}; lower it",
-                                 *scene.time, crossings, most_crossings));
-    double const shortest = shortest_frame_interval * scene.system.diameter / fastest;
-    if (scene.frame_interval > 0 && scene.frame_interval < shortest)
-        throw refuse(scene, fmt::format("frame_interval = {}: must be 0 or at least {:.4g}, {:.0e} "
-                                        "of the time in which the fastest ball moves its diameter; "
-                                        "raise it",
-                                        scene.frame_interval, shortest, shortest_frame_interval));
-}
-
-void check_motion(Scene const& scene, Eigen::Matrix3Xd const& velocities) {
-    check_finite(scene, velocities);
-    double const fastest = std::sqrt(velocities.colwise().squaredNorm().maxCoeff());
-    check_that_something_happens(scene, fastest);
-    check_speeds(scene, fastest);
-}
-
 } // namespace
 
 Start make_start(Scene const& scene, StartReader const& read_start) {
@@ -134,8 +89,12 @@ Start make_start(Scene const& scene, StartReader const& read_start) {
     Start start{place_balls(scene, file.positions), give_velocities(scene, file.velocities)};
     check_length(scene, "places", start.positions);
     check_length(scene, "velocities", start.velocities);
-    check_motion(scene, start.velocities);
-
+    check_finite(scene, start.velocities);
+    if (auto const wrong = objection_to_motion(scene, fastest_speed(start.velocities)))
+        throw refuse(scene, fmt::format("{} = {}: {}", wrong->key.name, wrong->value, wrong->rule));
+    bool const drawn_up_by_hand =
+        scene.arrangement == Arrangement::explicit_ || scene.arrangement == Arrangement::file;
+    if (!drawn_up_by_hand) return start;
     if (auto const reason = why_places_are_wrong(scene.system, start.positions); !reason.empty())
         throw refuse(scene, reason);
     wrap_places(scene.system, start.positions);

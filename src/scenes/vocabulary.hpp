@@ -1,6 +1,8 @@
 #pragma once
 // Every section and key that a scene file can hold.
 
+#include "scenes/key.hpp"
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -23,15 +25,37 @@ struct SectionVocabulary {
 };
 
 inline std::vector<SectionVocabulary> const& scene_vocabulary() {
-    static std::vector<SectionVocabulary> const sections{
-        {"", {"title"}},
-        {"container", {"boundary", "side", "packing_fraction"}},
-        {"balls", {"count", "diameter", "mass", "arrangement", "positions", "path"}},
-        {"velocities", {"distribution", "temperature", "velocities", "path"}},
-        {"run",
-         {"seed", "equilibrate", "collisions_per_ball", "time", "collisions", "method",
-          "precision"}},
-        {"output", {"frame_interval", "events"}}};
+    static std::vector<SectionVocabulary> const sections = [] {
+        std::vector<SectionVocabulary> list;
+        for (Key const known : {key::title,
+                                key::boundary,
+                                key::side,
+                                key::packing_fraction,
+                                key::count,
+                                key::diameter,
+                                key::mass,
+                                key::arrangement,
+                                key::positions,
+                                key::start_path,
+                                key::distribution,
+                                key::temperature,
+                                key::velocities,
+                                key::velocity_path,
+                                key::seed,
+                                key::equilibrate,
+                                key::collisions_per_ball,
+                                key::time,
+                                key::collisions,
+                                key::method,
+                                key::precision,
+                                key::frame_interval,
+                                key::events}) {
+            if (list.empty() || list.back().name != known.section)
+                list.push_back({known.section, {}});
+            list.back().keys.push_back(known.name);
+        }
+        return list;
+    }();
     return sections;
 }
 
@@ -45,7 +69,8 @@ inline SectionVocabulary const* find_section(std::string_view name) {
 /// Keys of one section of which a scene has exactly one: naming one takes the others' place.
 inline std::vector<std::vector<std::string_view>> const& exclusive_keys() {
     static std::vector<std::vector<std::string_view>> const groups{
-        {"side", "packing_fraction"}, {"collisions_per_ball", "time", "collisions"}};
+        {key::side.name, key::packing_fraction.name},
+        {key::collisions_per_ball.name, key::time.name, key::collisions.name}};
     return groups;
 }
 
