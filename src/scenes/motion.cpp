@@ -1,0 +1,88 @@
+#include "scenes/motion.hpp"
+
+#include "scenes/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace clack {
+
+namespace {
+
+/// A goal that counts collisions between balls.
+std::optional<Objection> counted_goal(Scene const& scene) {
+    if (scene.equilibrate > 0)
+        return Objection{key::equilibrate, fmt::format("{}", scene.equilibrate), ""};
+    if (scene.collisions_per_ball)
+        return Objection{key::collisions_per_ball, fmt::format("{}", *scene.collisions_per_ball),
+                         ""};
+    if (scene.collisions)
+        return Objection{key::collisions, fmt::format("{}", *scene.collisions), ""};
+    return std::nullopt;
+}
+
+std::optional<Objection> objection_to_rest(Scene const& scene, double fastest) {
+    auto objection = counted_goal(scene);
+    if (!objection) return std::nullopt;
+    if (scene.system.count == 1)
+        objection->rule = "counts collisions between balls, and a single ball has none: nothing "
+                          "will ever happen; set time instead";
+    else if (fastest == 0)
+        objection->rule = "counts collisions, and all velocities are zero: nothing will ever "
+                          "happen; give the balls velocities, or set time instead";
+    else
+        return std::nullopt;
+    return objection;
+}
+
+} // namespace
+
+std::optional<Objection> objection_to_motion(Scene const& scene, double fastest) {
+    if (auto const objection = objection_to_rest(scene, fastest)) return objection;
+    if (fastest == 0) return std::nullopt;
+
+    auto const [smallest, largest] = magnitudes(scene.precision);
+    if (fastest < smallest || fastest > largest)
+        return Objection{
+            key::distribution, "...",
+            fmt::format("the fastest ball has speed {:.4g}, which must lie in [{:.4g}, "
+                        "{:.4g}] at this precision; choose other units",
+                        fastest, smallest, largest)};
+    double const crossings = scene.time.value_or(0) * fastest / scene.system.side;
+    if (crossings > most_crossings)
+        return Objection{
+            key::time, fmt::format("{}", *scene.time),
+            fmt::format("the fastest ball crosses the cube {:.4g} times, above {:.4g}; "
+                        "lower it",
+                        crossings, most_crossings)};
+    double const shortest = shortest_frame_interval * scene.system.diameter / fastest;
+    if (scene.frame_interval > 0 && scene.frame_interval < shortest)
+        return Objection{
+            key::frame_interval, fmt::format("{}", scene.frame_interval),
+            fmt::format("must be 0 or at least {:.4g}, {:.0e} of the time in which the "
+                        "fastest ball moves its diameter; raise it",
+                        shortest, shortest_frame_interval)};
+    return std::nullopt;
+}
+
+std::optional<double> expected_speed(Scene const& scene) {
+    switch (scene.distribution) {
+    case Distribution::explicit_:
+        return fastest_speed(scene.velocities);
+    case Distribution::file:
+        return std::nullopt;
+    default:
+        return std::sqrt(3 * scene.temperature / scene.system.mass);
+    }
+}
+
+double fastest_speed(Eigen::Matrix3Xd const& velocities) {
+    double fastest = 0;
+    for (auto const& velocity : velocities.colwise())
+        fastest = std::max(fastest, velocity.stableNorm());
+    return fastest;
+}
+
+} // namespace clack

@@ -1,0 +1,114 @@
+// Places of lattices and random arrangements.
+
+#include "scenes/insertion.hpp"
+#include "scenes/lattice.hpp"
+#include "scenes/packing.hpp"
+#include "tests/scenes/places.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace clack;
+using namespace clack::test;
+
+namespace {
+
+std::vector<std::int64_t> const counts{1, 2, 3, 5, 14, 31, 100};
+
+System system_of(Boundary boundary, std::int64_t count, double packing_fraction) {
+    return {boundary, side_of_packing_fraction(count, 1.3, packing_fraction), count, 1.3, 1};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(lattices_hold_no_overlap_up_to_their_limit) {
+    for (auto const arrangement : {Arrangement::grid, Arrangement::fcc})
+        for (auto const boundary : {Boundary::walls, Boundary::periodic})
+            for (auto const count : counts)
+                for (double const share : {0.01, 0.5, 1.0}) {
+                    double const limit = largest_packing_fraction(arrangement, boundary, count);
+                    System const system = system_of(boundary, count, share * limit);
+                    auto const places = arrangement == Arrangement::grid ? place_on_grid(system)
+                                                                         : place_on_fcc(system);
+                    BOOST_TEST_CONTEXT(count << " balls, " << share << " of the limit")
+                    check_places(system, places);
+                }
+}
+
+BOOST_AUTO_TEST_CASE(the_limit_of_a_lattice_is_its_own) {
+    for (auto const boundary : {Boundary::walls, Boundary::periodic})
+        for (std::int64_t const count : {2, 3, 5, 14, 31, 100}) {
+            double const limit = largest_packing_fraction(Arrangement::fcc, boundary, count);
+            System const system = system_of(boundary, count, limit);
+            // All sites of a full lattice touch; of one with gaps the layers still do.
+            BOOST_TEST(fcc_layer_distance(system, fcc_layers_per_side(boundary, count)) *
+                               std::sqrt(2.0) ==
+                           system.diameter,
+                       boost::test_tools::tolerance(1e-14));
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_is_filled_in_order_and_centred) {
+    System const system{Boundary::walls, 6, 10, 1, 1};
+    auto const places = place_on_grid(system);
+    BOOST_TEST((places.col(0) == Eigen::Vector3d(1, 1, 1)));
+    BOOST_TEST((places.col(1) == Eigen::Vector3d(3, 1, 1)));
+    BOOST_TEST((places.col(3) == Eigen::Vector3d(1, 3, 1)));
+    BOOST_TEST((places.col(9) == Eigen::Vector3d(1, 1, 3)));
+}
+
+BOOST_AUTO_TEST_CASE(empty_fcc_sites_are_spread_evenly) {
+    System const system = system_of(Boundary::periodic, 100, 0.1); // 108 sites
+    auto const places = place_on_fcc(system);
+    // Every layer of 18 sites lacks one ball or two.
+    for (int layer = 0; layer < 6; ++layer) {
+        double const height = system.side / 2 + (layer - 2.5) * system.side / 6;
+        auto const filled = ((places.row(2).array() - height).abs() < 1e-9).count();
+        BOOST_TEST((filled == 16 || filled == 17));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(fcc_between_walls_leaves_a_gap_at_the_walls) {
+    System const system{Boundary::walls, 10, 63, 1, 1}; // 5 layers
+    auto const places = place_on_fcc(system);
+    double const neighbours = (places.col(0) - places.col(1)).norm() - 2 * 0; // along x: 2 layers
+    double const gap = neighbours / std::sqrt(2.0) - 1;
+    BOOST_TEST(places.minCoeff() - 0.5 == gap / 2, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(9.5 - places.maxCoeff() == gap / 2, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(random_places_hold_no_overlap) {
+    for (auto const boundary : {Boundary::walls, Boundary::periodic})
+        for (auto const count : counts)
+            for (double const packing_fraction : {1e-6, 0.01, 0.1, 0.2}) {
+                System const system = system_of(boundary, count, packing_fraction);
+                if (system.accessible_side() < system.diameter) continue; // dense: grown
+                BOOST_TEST_CONTEXT(count << " balls at " << packing_fraction)
+                check_places(system, place_at_random(system, 5));
+            }
+}
+
+BOOST_AUTO_TEST_CASE(random_places_fill_the_cube_evenly) {
+    System const system = system_of(Boundary::walls, 4000, 0.1);
+    auto const places = place_at_random(system, 3);
+    double const middle = system.side / 2;
+    for (int axis = 0; axis < 3; ++axis) {
+        auto const lower = (places.row(axis).array() < middle).count();
+        // A binomial of 4000 has standard deviation 32; insertion and even shares lower it.
+        BOOST_TEST(std::abs(lower - 2000) < 4 * 32);
+        BOOST_TEST(places.row(axis).minCoeff() < 0.75 * system.diameter);
+        BOOST_TEST(places.row(axis).maxCoeff() > system.side - 0.75 * system.diameter);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(seeds_differ_and_repeat) {
+    System const system = system_of(Boundary::periodic, 100, 0.1);
+    BOOST_TEST((place_at_random(system, 1) == place_at_random(system, 1)));
+    BOOST_TEST((place_at_random(system, 1) != place_at_random(system, 2)));
+}
+
+BOOST_AUTO_TEST_CASE(places_have_these_bits_on_every_machine) {
+    BOOST_TEST(hash_of(place_at_random(system_of(Boundary::periodic, 1000, 0.2), 2015)) == 0u);
+    BOOST_TEST(hash_of(place_at_random(system_of(Boundary::walls, 1000, 0.1), 2015)) == 0u);
+    BOOST_TEST(hash_of(place_on_fcc(system_of(Boundary::walls, 100, 0.2))) == 0u);
+    BOOST_TEST(hash_of(place_on_grid(system_of(Boundary::periodic, 100, 0.2))) == 0u);
+}
