@@ -3,12 +3,36 @@
 
 #include "state/system.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace clack {
+
+/// A growing list of balls that keeps its memory. Whole blocks are copied into it, so that the copy
+/// needs no loop, and the part that counts is kept.
+class BallBuffer {
+public:
+    void clear() { size_ = 0; }
+    std::size_t size() const { return size_; }
+    std::int32_t const* begin() const { return balls_.data(); }
+    std::int32_t const* end() const { return balls_.data() + size_; }
+
+    template <std::size_t places>
+    void append(std::array<std::int32_t, places> const& block, std::int32_t count) {
+        if (size_ + places > balls_.size()) balls_.resize(2 * balls_.size() + places);
+        std::copy_n(block.begin(), places, balls_.data() + size_);
+        size_ += static_cast<std::size_t>(count);
+    }
+
+    std::size_t bytes() const { return balls_.capacity() * sizeof(std::int32_t); }
+
+private:
+    std::vector<std::int32_t> balls_;
+    std::size_t size_ = 0;
+};
 
 /// Balls by cell. A cell is a block of six places and, when it is full, a chain of further blocks
 /// from a pool: nothing can overflow.
@@ -63,27 +87,19 @@ public:
         if (tail.count == 0 && last != before) release_block(before, last);
     }
 
-    /// Appends the balls of one cell.
-    void collect(Cell const& cell, std::vector<std::int32_t>& balls) const {
-        for (std::size_t block = index(cell);;
-             block = static_cast<std::size_t>(blocks_[block].more)) {
-            Block const& here = blocks_[block];
-            balls.insert(balls.end(), here.ball.begin(), here.ball.begin() + here.count);
-            if (here.more == end_of_chain) return;
-        }
-    }
-
     /// Appends the balls of the cells in a block of the lattice: along each axis the given offsets
     /// from `centre`, through the boundary where it is periodic.
     void collect_block(Cell const& centre, Cell const& from, Cell const& to,
-                       std::vector<std::int32_t>& balls) const {
-        Cell cell;
+                       BallBuffer& balls) const {
         for (std::int32_t dz = from[2]; dz <= to[2]; ++dz) {
-            if (!neighbour(centre[2], dz, cell[2])) continue;
+            std::int32_t x = 0, y = 0, z = 0;
+            if (!neighbour(centre[2], dz, z)) continue;
             for (std::int32_t dy = from[1]; dy <= to[1]; ++dy) {
-                if (!neighbour(centre[1], dy, cell[1])) continue;
+                if (!neighbour(centre[1], dy, y)) continue;
+                std::size_t const row = index({0, y, z});
                 for (std::int32_t dx = from[0]; dx <= to[0]; ++dx) {
-                    if (neighbour(centre[0], dx, cell[0])) collect(cell, balls);
+                    if (neighbour(centre[0], dx, x))
+                        collect(row + static_cast<std::size_t>(x), balls);
                 }
             }
         }
@@ -117,6 +133,14 @@ private:
             return place;
         }
     };
+
+    void collect(std::size_t block, BallBuffer& balls) const {
+        for (;; block = static_cast<std::size_t>(blocks_[block].more)) {
+            Block const& here = blocks_[block];
+            balls.append(here.ball, here.count);
+            if (here.more == end_of_chain) return;
+        }
+    }
 
     std::size_t index(Cell const& cell) const {
         auto const m = static_cast<std::size_t>(per_side_);

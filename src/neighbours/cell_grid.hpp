@@ -113,22 +113,22 @@ public:
         return padded(ball);
     }
 
-    std::size_t bytes() const { return bins_.bytes() + exit_.capacity() + found_.capacity() * 4; }
+    std::size_t bytes() const { return bins_.bytes() + exit_.capacity() + found_.bytes(); }
 
 private:
     // Fewer make crossings, more make candidates: the flat optimum of their cost together.
-    static constexpr double balls_per_cell = 0.7;
+    static constexpr double balls_per_cell = 1;
 
     std::span<std::int32_t const> padded(std::int32_t ball) {
-        while (found_.size() % lane_count != 0) found_.push_back(ball);
-        return found_;
+        while (found_.size() % lane_count != 0) found_.append(std::array{ball}, 1);
+        return {found_.begin(), found_.size()};
     }
 
     Container cube_;
     CellLattice<Real> lattice_;
     CellBins bins_;
-    std::vector<std::int8_t> exit_;   // the axis along which the ball will leave its cell
-    std::vector<std::int32_t> found_; // reused
+    std::vector<std::int8_t> exit_; // the axis along which the ball will leave its cell
+    BallBuffer found_;              // reused
 };
 
 } // namespace clack

@@ -76,19 +76,18 @@ public:
 
     std::size_t bytes() const {
         return bins_.bytes() + centre_.capacity() * sizeof(Vector3<Real>) +
-               (length_.capacity() + list_.capacity() + found_.capacity()) * sizeof(std::int32_t);
+               (length_.capacity() + list_.capacity()) * sizeof(std::int32_t) + found_.bytes();
     }
 
 private:
     static constexpr double balls_per_cell = 0.7;
     static constexpr std::size_t first_width = 16;
 
-    /// Measured: thick shells make long lists, thin ones many rebuilds; the best is about 0.14
-    /// diameters at a packing fraction of 0.40 and 0.10 at 0.49, and follows the gaps between
-    /// balls.
+    /// Measured: thick shells make long lists, thin ones many rebuilds; the flat best is a third of
+    /// a diameter in the fluid and less where a crystal leaves balls no way out of their cages.
     static double shell_radius(System const& system) {
-        double const best = 0.14 - 0.45 * (system.packing_fraction() - 0.40);
-        return system.diameter * std::clamp(best, 0.03, 0.2);
+        double const best = 0.32 - 0.6 * (system.packing_fraction() - 0.5);
+        return system.diameter * std::clamp(best, 0.18, 0.32);
     }
     static double reach(System const& system) {
         double const rounding =
@@ -163,7 +162,7 @@ private:
     std::vector<std::int32_t> length_;
     std::vector<std::int32_t> list_; // one row of width_ a ball
     std::size_t width_ = 0;
-    std::vector<std::int32_t> found_; // reused
+    BallBuffer found_; // reused
 };
 
 } // namespace clack

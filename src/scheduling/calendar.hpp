@@ -48,11 +48,8 @@ public:
     std::int32_t earliest(NextEvents<Real> const& next) {
         for (;;) {
             while (!heap_.empty()) {
-                Entry const top = heap_.front();
-                if (next[top.ball].time() == top.time) {
-                    if (!ties_with_next_entry()) return top.ball;
-                    return settle_tie(next);
-                }
+                std::int32_t const first = first_at_top(next, 0, no_event);
+                if (first != no_event) return first;
                 pop();
             }
             if (!open_next_bucket(next)) return no_event;
@@ -188,37 +185,23 @@ private:
         return true;
     }
 
-    /// Equal times: only then the heap's top need not be first in the total order.
-    bool ties_with_next_entry() const {
-        return (heap_.size() > 1 && heap_[1].time == heap_[0].time) ||
-               (heap_.size() > 2 && heap_[2].time == heap_[0].time);
-    }
-
-    std::int32_t settle_tie(NextEvents<Real> const& next) {
-        Real const time = heap_.front().time;
-        std::int32_t first = no_event;
-        tied_.clear();
-        while (!heap_.empty() && heap_.front().time == time) {
-            std::int32_t const ball = heap_.front().ball;
-            pop();
-            if (next[ball].time() != time) continue;
-            tied_.push_back(ball);
-            if (first == no_event || next.precedes(ball, first)) first = ball;
-        }
-        std::sort(tied_.begin(), tied_.end());
-        tied_.erase(std::unique(tied_.begin(), tied_.end()), tied_.end());
-        for (std::int32_t const ball : tied_) {
-            heap_.push_back({time, ball});
-            std::push_heap(heap_.begin(), heap_.end(), after);
-        }
-        return first;
+    /// The heap goes by time alone. Entries as early as its top hang together below it; of those
+    /// that still hold, the first in the total order.
+    std::int32_t first_at_top(NextEvents<Real> const& next, std::size_t entry,
+                              std::int32_t first) const {
+        if (entry >= heap_.size() || heap_[entry].time != heap_[0].time) return first;
+        std::int32_t const ball = heap_[entry].ball;
+        if (next[ball].time() == heap_[entry].time &&
+            (first == no_event || next.precedes(ball, first)))
+            first = ball;
+        first = first_at_top(next, 2 * entry + 1, first);
+        return first_at_top(next, 2 * entry + 2, first);
     }
 
     std::vector<std::int32_t> next_, previous_; // in a ball's list
     std::vector<std::int32_t> bucket_;          // the list that a ball is in
     std::vector<std::int32_t> head_;            // of the ring's lists, and of the one beyond
     std::vector<Entry> heap_;                   // the open bucket
-    std::vector<std::int32_t> tied_;            // reused
     Real base_ = 0, inverse_width_ = 1;
     std::int64_t open_ = 0, revolution_ = 0; // the open bucket, the first of the revolution
 };

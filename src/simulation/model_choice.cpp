@@ -7,8 +7,8 @@ namespace clack {
 
 namespace {
 
-constexpr std::int64_t every_pair_max = 16; // measured: from here on cells cost less
-constexpr double list_packing_min = 0.28;   // measured: from here on lists cost less than cells
+constexpr std::int64_t every_pair_max = 40; // measured: from here on cells cost less
+constexpr double list_packing_min = 0.33;   // measured: from here on lists cost less than cells
 
 char const* name_of(SearchKind search) {
     switch (search) {

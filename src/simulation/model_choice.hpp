@@ -12,7 +12,7 @@ enum class QueueKind { collision_table, binary_heap, calendar };
 struct ModelChoice {
     SearchKind search;
     QueueKind queue;
-    std::string reason;
+    char const* reason; // a literal
 };
 
 /// The search and queue for a method; `automatic` goes by number of balls and packing fraction.
