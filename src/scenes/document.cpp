@@ -129,6 +129,11 @@ InputError Document::mistake(Key key, std::string const& rule) const {
     return mistake_at(key, fmt::format("{} = {}", key.name, shown(*node)), *node, rule);
 }
 
+InputError Document::mistake_in_list(Key key, std::size_t index, std::string const& message) const {
+    return input_error(
+        fmt::format("{} ({})", message, place(key, find(key)->as_array()->get(index))));
+}
+
 InputError Document::missing(Key key, std::string const& advice) const {
     if (!key.section.empty() && table_.get(key.section) == nullptr)
         return input_error(fmt::format("[{}] is missing: a scene needs [container], [balls], "
