@@ -14,7 +14,7 @@ namespace {
 
 /// Comparisons per ball after which a start that is known to be wrong is looked at no further; one
 /// without overlap needs fewer than 40, one with all balls in one place would take n^2.
-constexpr std::int64_t patience = 200;
+constexpr std::int64_t patience = 100;
 
 /// Places are rounded, and so is the sum that compares them.
 double rounding(System const& system) {

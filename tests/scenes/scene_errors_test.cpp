@@ -40,6 +40,14 @@ BOOST_AUTO_TEST_CASE(text_that_is_not_toml_is_refused_with_its_line) {
     BOOST_TEST(message.find("(scene.toml:6)") != std::string::npos, message);
 }
 
+BOOST_AUTO_TEST_CASE(names_too_deep_for_the_parser_are_refused) {
+    std::string name = "a";
+    for (int part = 0; part < 200000; ++part) name += ".a";
+    std::string const expected = "not TOML: a name of more than 1000 parts (scene.toml:2)";
+    BOOST_TEST(parse_message("# deep\n" + name + " = 1") == expected);
+    BOOST_TEST(parse_message("# deep\n[" + name + "]") == expected);
+}
+
 BOOST_AUTO_TEST_CASE(unknown_sections_and_keys_are_refused) {
     check(correct_scene,
           {{"[run]", "[walk]", "[walk]: not a section or key of a scene"},
