@@ -46,6 +46,21 @@ std::string shown(toml::node const& node) {
     return "a date or time";
 }
 
+/// The parser follows dotted names by recursion: a name of very many parts would use up its stack.
+void check_depth(std::string const& text, std::string const& source) {
+    constexpr int most_parts = 1000;
+    int parts = 0;
+    std::size_t line = 1;
+    for (char const c : text) {
+        if (c == '\n') ++line;
+        if (c == '.') ++parts;
+        if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) parts = 0;
+        if (parts > most_parts)
+            throw input_error(fmt::format("not TOML: a name of more than {} parts ({}:{})",
+                                          most_parts, source, line));
+    }
+}
+
 std::string dotted(Key key) {
     return key.section.empty() ? std::string(key.name)
                                : fmt::format("{}.{}", key.section, key.name);
@@ -60,6 +75,7 @@ std::string section_title(std::string_view section) {
 Document::Document(std::string const& text, std::string source,
                    std::vector<std::string> const& overrides)
     : source_(std::move(source)), text_(text) {
+    check_depth(text, source_);
     try {
         table_ = toml::parse(text);
     } catch (toml::parse_error const& error) {
@@ -127,6 +143,11 @@ InputError Document::mistake(Key key, std::string const& rule) const {
     auto const* const node = find(key);
     if (node == nullptr) return missing(key, rule);
     return mistake_at(key, fmt::format("{} = {}", key.name, shown(*node)), *node, rule);
+}
+
+InputError Document::mistake_in_list(Key key, std::size_t index, std::string const& message) const {
+    return input_error(
+        fmt::format("{} ({})", message, place(key, find(key)->as_array()->get(index))));
 }
 
 InputError Document::missing(Key key, std::string const& advice) const {

@@ -59,6 +59,8 @@ public:
     /// `name = value: rule (file:line)`, with the override in place of file:line where the value
     /// came from one.
     InputError mistake(Key key, std::string const& rule) const;
+    /// `message (file:line)` with the line of one element of a list.
+    InputError mistake_in_list(Key key, std::size_t index, std::string const& message) const;
     /// `name is missing from [section]: advice (file)`.
     InputError missing(Key key, std::string const& advice) const;
 

@@ -27,11 +27,12 @@ std::optional<Objection> objection_to_rest(Scene const& scene, double fastest) {
     auto objection = counted_goal(scene);
     if (!objection) return std::nullopt;
     if (scene.system.count == 1)
-        objection->rule = "counts collisions between balls, and a single ball has none: nothing "
-                          "will ever happen; set time instead";
+        objection->rule = "is never reached, for a single ball has no other to collide with; set "
+                          "time instead";
     else if (fastest == 0)
-        objection->rule = "counts collisions, and all velocities are zero: nothing will ever "
-                          "happen; give the balls velocities, or set time instead";
+        objection->rule =
+            "is never reached, for all velocities are zero: nothing will ever happen; "
+            "give the balls velocities, or set time instead";
     else
         return std::nullopt;
     return objection;

@@ -12,11 +12,9 @@ namespace clack {
 
 namespace {
 
-constexpr char const* axis_name = "xyz";
-
 /// Comparisons per ball after which a start that is known to be wrong is looked at no further; one
 /// without overlap needs fewer than 40, one with all balls in one place would take n^2.
-constexpr std::int64_t patience = 200;
+constexpr std::int64_t patience = 100;
 
 /// Places are rounded, and so is the sum that compares them.
 double rounding(System const& system) {
@@ -47,7 +45,7 @@ Overlap deepest_overlap(System const& system, Eigen::Matrix3Xd const& places) {
 }
 
 /// The first coordinate that is not finite or lies outside what the centres can reach.
-std::string why_a_place_is_outside(System const& system, Eigen::Matrix3Xd const& places) {
+std::optional<Misplaced> ball_outside(System const& system, Eigen::Matrix3Xd const& places) {
     bool const walls = system.boundary == Boundary::walls;
     double const low = walls ? system.diameter / 2 : -furthest_image * system.side;
     double const high = walls ? system.side - system.diameter / 2 : furthest_image * system.side;
@@ -55,13 +53,16 @@ std::string why_a_place_is_outside(System const& system, Eigen::Matrix3Xd const&
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             double const x = places(axis, ball);
             if (x >= low - rounding(system) && x <= high + rounding(system)) continue;
-            auto const name = fmt::format("position {} of ball {} = {}", axis_name[axis], ball, x);
-            if (!std::isfinite(x)) return name + ": must be a finite number; correct it";
-            return fmt::format("{}: {} must lie in [{:.10g}, {:.10g}]{}; move it or enlarge side",
-                               name, walls ? "the ball sticks out of the cube, its centre" : "it",
-                               low, high, walls ? ", half a diameter from the walls" : "");
+            auto const name = fmt::format("ball {} has {} = {}", ball, "xyz"[axis], x);
+            if (!std::isfinite(x))
+                return Misplaced{ball, name + ": must be a finite number; correct it"};
+            return Misplaced{ball,
+                             fmt::format("{}: {}must lie in [{:.10g}, {:.10g}]{}; move it{}", name,
+                                         walls ? "sticks out of the cube, the centre " : "", low,
+                                         high, walls ? ", half a diameter from the walls" : "",
+                                         walls ? " or enlarge side" : " nearer")};
         }
-    return "";
+    return std::nullopt;
 }
 
 } // namespace
@@ -75,16 +76,16 @@ void wrap_places(System const& system, Eigen::Matrix3Xd& places) {
     }
 }
 
-std::string why_places_are_wrong(System const& system, Eigen::Matrix3Xd const& places) {
-    if (auto const outside = why_a_place_is_outside(system, places); !outside.empty())
-        return outside;
+std::optional<Misplaced> misplaced_ball(System const& system, Eigen::Matrix3Xd const& places) {
+    if (auto const outside = ball_outside(system, places)) return outside;
     Eigen::Matrix3Xd inside = places;
     wrap_places(system, inside);
     auto const [depth, first, second] = deepest_overlap(system, inside);
-    if (depth <= rounding(system)) return "";
-    return fmt::format("balls {} and {} overlap by {:.3g} diameters: centres must be at least "
-                       "diameter = {:.10g} apart; move them or make them smaller",
-                       first, second, depth / system.diameter, system.diameter);
+    if (depth <= rounding(system)) return std::nullopt;
+    return Misplaced{second,
+                     fmt::format("balls {} and {} overlap by {:.3g} diameters: centres must be at "
+                                 "least diameter = {:.10g} apart; move them or make them smaller",
+                                 first, second, depth / system.diameter, system.diameter)};
 }
 
 } // namespace clack

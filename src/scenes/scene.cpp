@@ -204,9 +204,9 @@ void read_output(Document const& document, Scene& scene) {
 /// The rules that need places and speeds, where the scene itself has them: it can show the line.
 void check_start(Document const& document, Scene const& scene) {
     if (scene.arrangement == Arrangement::explicit_)
-        if (auto const reason = why_places_are_wrong(scene.system, scene.positions);
-            !reason.empty())
-            throw document.mistake(key::positions, reason);
+        if (auto const misplaced = misplaced_ball(scene.system, scene.positions))
+            throw document.mistake_in_list(
+                key::positions, static_cast<std::size_t>(misplaced->ball), misplaced->what);
     auto const fastest = expected_speed(scene);
     if (!fastest) return;
     if (auto const wrong = objection_to_motion(scene, *fastest))

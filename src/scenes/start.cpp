@@ -72,9 +72,9 @@ void check_finite(Scene const& scene, Eigen::Matrix3Xd const& velocities) {
     for (Eigen::Index ball = 0; ball < velocities.cols(); ++ball)
         for (Eigen::Index axis = 0; axis < 3; ++axis)
             if (!std::isfinite(velocities(axis, ball)))
-                throw refuse(scene, fmt::format("velocity {} of ball {} = {}: must be a finite "
+                throw refuse(scene, fmt::format("ball {} has v{} = {}: must be a finite "
                                                 "number; correct it",
-                                                "xyz"[axis], ball, velocities(axis, ball)));
+                                                ball, "xyz"[axis], velocities(axis, ball)));
 }
 
 } // namespace
@@ -95,8 +95,8 @@ Start make_start(Scene const& scene, StartReader const& read_start) {
     bool const drawn_up_by_hand =
         scene.arrangement == Arrangement::explicit_ || scene.arrangement == Arrangement::file;
     if (!drawn_up_by_hand) return start;
-    if (auto const reason = why_places_are_wrong(scene.system, start.positions); !reason.empty())
-        throw refuse(scene, reason);
+    if (auto const misplaced = misplaced_ball(scene.system, start.positions))
+        throw refuse(scene, misplaced->what);
     wrap_places(scene.system, start.positions);
     return start;
 }

@@ -19,9 +19,9 @@ BOOST_AUTO_TEST_CASE(cube_root_is_right_to_an_ulp) {
 }
 
 BOOST_AUTO_TEST_CASE(side_has_these_bits_on_every_machine) {
-    BOOST_TEST(side_of_packing_fraction(1000, 1, 0.49) == 0.0);
-    BOOST_TEST(side_of_packing_fraction(4096, 0.3, 0.001) == 0.0);
-    BOOST_TEST(side_of_packing_fraction(7, 1.7, 0.6) == 0.0);
+    BOOST_TEST(side_of_packing_fraction(1000, 1, 0.49) == 10.223529333914984);
+    BOOST_TEST(side_of_packing_fraction(4096, 0.3, 0.001) == 38.687806896395266);
+    BOOST_TEST(side_of_packing_fraction(7, 1.7, 0.6) == 3.1076401611693885);
 }
 
 BOOST_AUTO_TEST_CASE(lattices_are_the_smallest_that_hold_the_balls) {

@@ -40,11 +40,19 @@ BOOST_AUTO_TEST_CASE(text_that_is_not_toml_is_refused_with_its_line) {
     BOOST_TEST(message.find("(scene.toml:6)") != std::string::npos, message);
 }
 
+BOOST_AUTO_TEST_CASE(names_too_deep_for_the_parser_are_refused) {
+    std::string name = "a";
+    for (int part = 0; part < 200000; ++part) name += ".a";
+    std::string const expected = "not TOML: a name of more than 1000 parts (scene.toml:2)";
+    BOOST_TEST(parse_message("# deep\n" + name + " = 1") == expected);
+    BOOST_TEST(parse_message("# deep\n[" + name + "]") == expected);
+}
+
 BOOST_AUTO_TEST_CASE(unknown_sections_and_keys_are_refused) {
     check(correct_scene,
           {{"[run]", "[walk]", "[walk]: not a section or key of a scene"},
            {"title", "tilte", "tilte: not a section or key of a scene"},
-           {"title", "\"\"", ": not a section or key of a scene"},
+           {"title", "\"\"", "\"\": not a section or key of a scene"},
            {"seed", "sead", "sead = 7: not a key of [run], which takes seed, "},
            {"[balls]", "[[balls]]", "balls = [...]: must be a section; write [balls]"},
            {"title = \"a scene\"", "run = 3", "not TOML: "},
@@ -77,10 +85,10 @@ BOOST_AUTO_TEST_CASE(wrong_types_are_refused) {
            {"20.0", "[20]", "side = [...]: must be a number"},
            {"20.0", "{ a = 1 }", "side = {...}: must be a number"},
            {"20.0", "1979-05-27", "side = a date or time: must be a number"},
-           {"count = 100", "count = 100.0", "count = 100: must be a whole number from 1 to "},
+           {"count = 100", "count = 100.0", "count = 100.0: must be a whole number from 1 to "},
            {"count = 100", "count = \"many\"", "count = \"many\": must be a whole number"},
            {"seed = 7", "seed = 7.5", "seed = 7.5: must be a whole number from 0 to "},
-           {goal, "collisions = 1e3", "collisions = 1000: must be a whole number from 1 to "},
+           {goal, "collisions = 1e3", "collisions = 1000.0: must be a whole number from 1 to "},
            {goal, goal + "\n[output]\nevents = 1", "events = 1: must be true or false"}});
 }
 
@@ -92,10 +100,10 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused) {
            {"count = 100", "count = 99999999999999999999", "not TOML: "},
            {"20.0", "nan", "side = nan: must be a finite number, a length (scene.toml:4)"},
            {"20.0", "-inf", "side = -inf: must be a finite number, a length (scene.toml:4)"},
-           {"20.0", "-20.0", "side = -20: must lie in [1e-50, 1e+50], a length"},
+           {"20.0", "-20.0", "side = -20.0: must lie in [1e-50, 1e+50], a length"},
            {"20.0", "0", "side = 0: must lie in"},
            {"20.0", "1e300", "side = 1e+300: must lie in"},
-           {"20.0", "1e10", "side = 10000000000: the side is 1e+10 diameters, and "},
+           {"20.0", "1e10", "side = 10000000000.0: the side is 1e+10 diameters, and "},
            {"count = 100", "count = 100\ndiameter = 0", "diameter = 0: must lie in"},
            {"count = 100", "count = 100\nmass = -1", "mass = -1: must lie in"},
            {"seed = 7", "seed = -1", "seed = -1: must be a whole number from 0"},
@@ -117,7 +125,7 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused) {
 BOOST_AUTO_TEST_CASE(float_takes_smaller_scenes_only) {
     auto const text = changed(correct_scene, goal, goal + "\nprecision = \"float\"");
     check(text, {{side, "side = 1600", "side = 1600: the side is 1600 diameters, and this "},
-                 {side, "side = 1e7", "side = 10000000: must lie in [1e-06, 1e+06]"},
+                 {side, "side = 1e7", "side = 10000000.0: must lie in [1e-06, 1e+06]"},
                  {side, "packing_fraction = 1e-9", "packing_fraction = 1e-09: the side is "}});
 }
 
@@ -167,11 +175,11 @@ BOOST_AUTO_TEST_CASE(packing_fractions_beyond_what_fits_are_refused) {
            {side, "side = 1.1",
             "side = 1.1: 100 balls in an fcc arrangement with periodic images would have packing "
             "fraction 39.34 and fit up to 0.6856; raise side to 4.24264 or lower the diameter"}});
-    check(
-        changed(correct_scene, "periodic", "walls"),
-        {{side, packing + "0.6",
-          "packing_fraction = 0.6: 100 balls in an fcc arrangement between walls fit up to 0."},
-         {side, "side = 5", "side = 5: 100 balls in an fcc arrangement between walls would have"}});
+    check(changed(correct_scene, "periodic", "walls"),
+          {{side, packing + "0.6",
+            "packing_fraction = 0.6: 100 balls in an fcc arrangement between walls fit up to 0."},
+           {side, "side = 4.5",
+            "side = 4.5: 100 balls in an fcc arrangement between walls would have"}});
     check(
         changed(correct_scene, "fcc", "grid"),
         {{side, packing + "0.45",
@@ -199,7 +207,8 @@ BOOST_AUTO_TEST_CASE(lists_that_are_wrong_are_refused) {
          {"[3, 1, 1]", "[3, 1, \"a\"]", "positions[1][2] = \"a\": must be a finite number"},
          {"[1, 0, 0]", "[inf, 0, 0]", "velocities[0][0] = inf: must be a finite number"},
          {"[1, 0, 0]", "[1e60, 0, 0]", "velocities[0][0] = 1e+60: must be a finite number"},
-         {"[1, 0, 0]", "[1e-60, 0, 0]", "the fastest ball has speed 1e-60: must lie in "}});
+         {"[1, 0, 0]", "[1e-60, 0, 0]",
+          "distribution = \"explicit\": the fastest ball has speed 1e-60, which must "}});
 }
 
 BOOST_AUTO_TEST_CASE(places_that_are_wrong_are_refused_by_ball) {
@@ -207,14 +216,22 @@ BOOST_AUTO_TEST_CASE(places_that_are_wrong_are_refused_by_ball) {
           {{"[3, 1, 1]", "[1.75, 1, 1]", "balls 0 and 1 overlap by 0.25 diameters: centres must "},
            {"[3, 1, 1]", "[1, 1, 1]", "balls 0 and 1 overlap by 1 diameters: "},
            {"[7, 1, 1]", "[9.6, 1, 1]",
-            "position x of ball 3 = 9.6: the ball sticks out of the cube, its centre must lie in "
+            "ball 3 has x = 9.6: sticks out of the cube, the centre must lie in "
             "[0.5, 9.5], half a diameter from the walls"},
-           {"[7, 1, 1]", "[7, 0.4, 1]", "position y of ball 3 = 0.4: the ball sticks out of the"},
-           {"[7, 1, 1]", "[7, 1, -3]", "position z of ball 3 = -3: the ball sticks out of the"}});
+           {"[7, 1, 1]", "[7, 0.4, 1]", "ball 3 has y = 0.4: sticks out of the cube"},
+           {"[7, 1, 1]", "[7, 1, -3]", "ball 3 has z = -3: sticks out of the cube"}});
     check(changed(four_balls, "walls", "periodic"),
           {{"[7, 1, 1]", "[-8.5, 1, 1]", "balls 0 and 3 overlap by 0.5 diameters: "},
            {"[7, 1, 1]", "[10.25, 1, 1]", "balls 0 and 3 overlap by 0.25 diameters: "},
-           {"[7, 1, 1]", "[1e9, 1, 1]", "position x of ball 3 = 1000000000: it must lie in "}});
+           {"[7, 1, 1]", "[1e9, 1, 1]",
+            "ball 3 has x = 1000000000: must lie in [-10000000, 10000000]; move it"}});
+}
+
+BOOST_AUTO_TEST_CASE(a_list_over_many_lines_shows_the_line_of_the_ball) {
+    auto const text = changed(four_balls, "[3, 1, 1], [5, 1, 1]", "\n[3, 1, 1],\n[3.5, 1, 1]");
+    BOOST_TEST(start_message(text) ==
+               "balls 1 and 2 overlap by 0.5 diameters: centres must be at least diameter = 1 "
+               "apart; move them or make them smaller (scene.toml:9)");
 }
 
 BOOST_AUTO_TEST_CASE(the_deepest_overlap_is_the_one_named) {
@@ -225,13 +242,15 @@ BOOST_AUTO_TEST_CASE(the_deepest_overlap_is_the_one_named) {
 BOOST_AUTO_TEST_CASE(goals_that_nothing_can_reach_are_refused) {
     check(changed(four_balls, "[1, 0, 0]", "[0, 0, 0]"),
           {{"time = 10", "collisions = 10",
-            "collisions counts collisions, and all velocities are zero: nothing will ever happen"},
-           {"time = 10", "time = 10\nequilibrate = 1", "equilibrate counts collisions, and all"}});
+            "collisions = 10: is never reached, for all velocities are zero: nothing will ever "
+            "happen"},
+           {"time = 10", "time = 10\nequilibrate = 1",
+            "equilibrate = 1: is never reached, for all"}});
     check(correct_scene,
           {{"\"maxwell\"", "\"maxwell\"\ntemperature = 0",
-            "collisions_per_ball counts collisions, and all velocities are zero"},
+            "collisions_per_ball = 10: is never reached, for all velocities are zero"},
            {"count = 100", "count = 1",
-            "collisions_per_ball counts collisions between balls, and a single ball has none"}});
+            "collisions_per_ball = 10: is never reached, for a single ball has no other"}});
 }
 
 BOOST_AUTO_TEST_CASE(nothing_that_moves_is_fine_where_the_goal_is_a_time) {
@@ -256,7 +275,7 @@ BOOST_AUTO_TEST_CASE(starts_from_a_file_are_checked) {
     std::string expected = "places of 3 balls where count = 4: they must agree";
     BOOST_TEST(beginning(start_message(text, reader(places.leftCols(3))), expected) == expected);
     places(2, 1) = std::nan("");
-    expected = "position z of ball 1 = nan: must be a finite number";
+    expected = "ball 1 has z = nan: must be a finite number";
     BOOST_TEST(beginning(start_message(text, reader(places)), expected) == expected);
     places(2, 1) = 1;
     places(0, 1) = 1.5;
@@ -272,21 +291,8 @@ BOOST_AUTO_TEST_CASE(velocities_from_a_file_are_checked) {
         velocities(1, 42) = std::nan("");
         return Start{velocities, velocities};
     };
-    std::string const expected = "velocity y of ball 42 = nan: must be a finite number";
+    std::string const expected = "ball 42 has vy = nan: must be a finite number";
     BOOST_TEST(beginning(start_message(text, reader), expected) == expected);
-}
-
-BOOST_AUTO_TEST_CASE(a_million_balls_in_one_place_are_refused_at_once) {
-    System const system{Boundary::walls, 1000, 200000, 1, 1};
-    Scene scene = parse_scene(correct_scene, "scene.toml");
-    scene.system = system;
-    scene.arrangement = Arrangement::file;
-    Eigen::Matrix3Xd const places = Eigen::Matrix3Xd::Constant(3, system.count, 5);
-    std::string const expected = "balls 0 and 1 overlap by 1 diameters";
-    auto const message = message_of([&] {
-        make_start(scene, [&](auto const&) { return Start{places, places}; });
-    });
-    BOOST_TEST(beginning(message, expected) == expected, message);
 }
 
 BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_are_refused) {
@@ -309,7 +315,5 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_are_refused) {
     BOOST_TEST(said("good.toml") == "");
     BOOST_TEST(beginning(message_of([&] { read_scene(path("comment.toml")); }),
                          "[balls] is miss") == "[balls] is miss");
-    BOOST_TEST(beginning(message_of([&] { read_scene("/dev/zero"); }), "/dev/zero: is larger") ==
-               "/dev/zero: is larger");
     std::filesystem::remove_all(folder);
 }

@@ -165,3 +165,21 @@ BOOST_AUTO_TEST_CASE(damaged_scenes_parse_or_say_what_is_wrong_in_one_line) {
     BOOST_TEST(accepted_copies > copies / 20);
     BOOST_TEST(accepted_copies < copies * 3 / 4);
 }
+
+BOOST_AUTO_TEST_CASE(a_file_without_end_is_refused) {
+    auto const message = test::message_of([] { read_scene("/dev/zero"); });
+    BOOST_TEST(test::beginning(message, "/dev/zero: is larger than 64 MiB") ==
+               "/dev/zero: is larger than 64 MiB");
+}
+
+// Comparing all pairs would take minutes.
+BOOST_AUTO_TEST_CASE(many_balls_in_one_place_are_refused_soon, *boost::unit_test::timeout(30)) {
+    Scene scene;
+    scene.system = {Boundary::walls, 1000, 100000, 1, 1};
+    scene.arrangement = Arrangement::file;
+    Eigen::Matrix3Xd const places = Eigen::Matrix3Xd::Constant(3, scene.system.count, 5);
+    auto const message = test::message_of([&] {
+        make_start(scene, [&](std::string const&) { return Start{places, places}; });
+    });
+    BOOST_TEST(message.starts_with("balls 0 and 1 overlap by 1 diameters"), message);
+}

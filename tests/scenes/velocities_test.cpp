@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(a_single_ball_keeps_its_velocity) {
     for (auto const boundary : {Boundary::walls, Boundary::periodic}) {
         System const system = system_of(boundary, 1);
         auto const velocity = draw_maxwell_velocities(system, 2, 3);
-        BOOST_TEST(system.mass * velocity.squaredNorm() == 3 * 2.0,
+        double const x = velocity(0, 0), y = velocity(1, 0), z = velocity(2, 0);
+        BOOST_TEST(system.mass * (x * x + y * y + z * z) == 3 * 2.0,
                    boost::test_tools::tolerance(4 * epsilon));
     }
 }
@@ -62,7 +63,8 @@ BOOST_AUTO_TEST_CASE(equal_speeds_are_equal_between_walls) {
     System const system = system_of(Boundary::walls, 1000);
     auto const velocities = draw_equal_speeds(system, 1, 4);
     double const speed = std::sqrt(3 / system.mass);
-    BOOST_TEST((velocities.colwise().norm().array() - speed).abs().maxCoeff() <= 4 * epsilon);
+    for (auto const& velocity : velocities.colwise())
+        BOOST_TEST(std::abs(velocity.norm() - speed) <= 4 * epsilon);
 }
 
 BOOST_AUTO_TEST_CASE(directions_favour_no_axis) {
@@ -97,6 +99,8 @@ BOOST_AUTO_TEST_CASE(temperature_zero_is_rest) {
 }
 
 BOOST_AUTO_TEST_CASE(velocities_have_these_bits_on_every_machine) {
-    BOOST_TEST(hash_of(draw_maxwell_velocities(system_of(Boundary::periodic, 1000), 1, 7)) == 0u);
-    BOOST_TEST(hash_of(draw_equal_speeds(system_of(Boundary::walls, 1000), 1, 7)) == 0u);
+    BOOST_TEST(hash_of(draw_maxwell_velocities(system_of(Boundary::periodic, 1000), 1, 7)) ==
+               2897908085069796928u);
+    BOOST_TEST(hash_of(draw_equal_speeds(system_of(Boundary::walls, 1000), 1, 7)) ==
+               12303177268286108314u);
 }
