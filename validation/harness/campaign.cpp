@@ -89,6 +89,14 @@ void Campaign::append(std::string const& line) {
 
 std::vector<Measurement> Campaign::replicates(std::string const& state_point, int const count,
                                               Measure const& measure) {
+    int missing = 0;
+    for (int replicate = 0; replicate < count; ++replicate)
+        missing += !known_.contains({state_point, replicate});
+    if (missing > 0)
+        std::cout << fmt::format("{}: {}: measuring {} of {} replicates\n", stem_, state_point,
+                                 missing, count)
+                  << std::flush;
+
     std::vector<Measurement> all;
     for (int replicate = 0; replicate < count; ++replicate) {
         auto const found = known_.find({state_point, replicate});
@@ -96,9 +104,6 @@ std::vector<Measurement> Campaign::replicates(std::string const& state_point, in
             all.push_back(found->second);
             continue;
         }
-        std::cout << fmt::format("{}: {}: replicate {} of {}\n", stem_, state_point, replicate + 1,
-                                 count)
-                  << std::flush;
         std::uint64_t const seed = seed_of(stem_, state_point, replicate);
         Line const line{state_point, replicate, measure(seed)};
         append(written(line, seed));

@@ -40,19 +40,23 @@ double anderson_darling_correction(double const size, double const x) {
 
 } // namespace
 
-Test chi_square(std::vector<std::int64_t> const& counts) {
-    auto const bins = static_cast<double>(counts.size());
+Test chi_square(std::vector<std::int64_t> const& counts, std::vector<double> const& probabilities) {
     auto const total =
         static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
-    if (counts.size() < 2 || total <= 0)
-        throw std::invalid_argument("chi-square takes two bins and a count");
-    double const expected = total / bins;
+    if (counts.size() < 2 || counts.size() != probabilities.size() || total <= 0)
+        throw std::invalid_argument("chi-square takes two bins, a probability each, and a count");
     double sum = 0;
-    for (std::int64_t const count : counts) {
-        double const excess = static_cast<double>(count) - expected;
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        double const expected = total * probabilities[k];
+        double const excess = static_cast<double>(counts[k]) - expected;
         sum += excess * excess / expected;
     }
-    return {sum, gsl_cdf_chisq_Q(sum, bins - 1)};
+    return {sum, gsl_cdf_chisq_Q(sum, static_cast<double>(counts.size()) - 1)};
+}
+
+Test chi_square(std::vector<std::int64_t> const& counts) {
+    return chi_square(counts,
+                      std::vector<double>(counts.size(), 1 / static_cast<double>(counts.size())));
 }
 
 double kolmogorov_limit(double const x) {

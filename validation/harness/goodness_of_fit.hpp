@@ -17,6 +17,9 @@ struct Test {
 /// counts.
 Test chi_square(std::vector<std::int64_t> const& counts);
 
+/// The same in bins of any probabilities, all positive and adding up to 1.
+Test chi_square(std::vector<std::int64_t> const& counts, std::vector<double> const& probabilities);
+
 /// Kolmogorov and Smirnov's largest distance between the sample's and the law's distribution.
 ///   probabilities   the law's distribution function at each of the sample, in any order
 /// The p-value is the limit law's with Vrbik's correction for the sample's size, right to 3e-3 at a

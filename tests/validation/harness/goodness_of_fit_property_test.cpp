@@ -124,6 +124,10 @@ BOOST_AUTO_TEST_CASE(chi_square_is_that_worked_by_hand) {
     Test const test = chi_square({5, 15, 10});
     BOOST_TEST(test.statistic == 5);
     BOOST_TEST(std::abs(test.p_value - std::exp(-2.5)) < 1e-14); // two degrees of freedom
+    // bins of a half, a third and a sixth: (3^2 / 15 + 5^2 / 10 + 2^2 / 5)
+    Test const uneven = chi_square({18, 5, 7}, {1.0 / 2, 1.0 / 3, 1.0 / 6});
+    BOOST_TEST(std::abs(uneven.statistic - (0.6 + 2.5 + 0.8)) < 1e-14);
+    BOOST_CHECK_THROW(chi_square({18, 5, 7}, {0.5, 0.5}), std::invalid_argument);
     BOOST_CHECK_THROW(chi_square({7}), std::invalid_argument);
     BOOST_CHECK_THROW(chi_square({0, 0}), std::invalid_argument);
 }

@@ -1,0 +1,19 @@
+#pragma once
+// Whom an experiment puts to the test.
+
+#include "scenes/scene.hpp"
+#include "simulation/engine.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace clack::validation {
+
+/// Starts a scene: with the project's engine, or with a mutant of it that must not pass.
+using EngineMaker = std::function<std::unique_ptr<Engine>(Scene const&)>;
+
+inline std::unique_ptr<Engine> make_true_engine(Scene const& scene) {
+    return make_engine(scene.system, scene.method, scene.precision, make_start(scene));
+}
+
+} // namespace clack::validation
