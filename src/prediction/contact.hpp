@@ -18,14 +18,17 @@ template <class Number> struct Pair {
 
 /// The balls of the model that nearly every scene needs: their diameter does not change.
 template <class Real> struct SteadyDiameter {
+    static constexpr bool grows = false;
+
     Real squared;
 
     explicit SteadyDiameter(Real diameter) : squared(diameter * diameter) {}
 
     /// When the pair touches; NaN when it never does, so that no comparison finds it earliest.
     /// An overlapping pair that approaches touches at once, one that recedes never does.
-    /// The root is c / (-b + sqrt(disc)), which subtracts no near-equal numbers, and the
-    /// discriminant v.v d^2 - |r x v|^2, which keeps its digits for grazing and for distant pairs.
+    /// The root is c / (-b + sqrt(disc)), which subtracts no near-equal numbers. The discriminant
+    /// is b^2 - v.v c for pairs near contact, where both terms are small and it agrees with the
+    /// root to the last digit, and v.v d^2 - |r x v|^2 for the others, where b^2 is large.
     template <class Number>
     [[gnu::always_inline]] Number contact_time(Pair<Number> const& p) const {
         Number const zero{};
@@ -40,7 +43,7 @@ template <class Real> struct SteadyDiameter {
         Number const cross_y = p.z * p.vx - p.x * p.vz;
         Number const cross_z = p.x * p.vy - p.y * p.vx;
         Number const cross2 = cross_x * cross_x + cross_y * cross_y + cross_z * cross_z;
-        Number const disc = speed2 * squared - cross2;
+        Number const disc = select(c < squared, b * b - speed2 * c, speed2 * squared - cross2);
         if constexpr (!is_lanes<Number>) {
             if (c > zero && disc < zero) return never;
         }

@@ -15,7 +15,6 @@ template <class Real> struct ElasticBalls : SteadyDiameter<Real> {
     explicit ElasticBalls(System const& system)
         : SteadyDiameter<Real>(static_cast<Real>(system.diameter)) {}
 
-    static constexpr bool grows = false;
     static constexpr bool keeps_energy = true;
 
     Real diameter_squared(Real /*time*/) const { return this->squared; }

@@ -1,0 +1,172 @@
+#include "neighbours/cell_grid.hpp"
+#include "neighbours/every_pair.hpp"
+#include "neighbours/neighbour_list.hpp"
+#include "prediction/contact.hpp"
+#include "tests/made_up_balls.hpp"
+
+#include <boost/mpl/list.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace clack;
+
+namespace {
+
+template <class Real> using Walled = WalledCube<Real>;
+template <class Real> using Periodic = PeriodicCube<Real>;
+
+using Searches =
+    boost::mpl::list<EveryPair<double, Walled<double>>, EveryPair<double, Periodic<double>>,
+                     CellGrid<double, Walled<double>>, CellGrid<double, Periodic<double>>,
+                     NeighbourList<double, Walled<double>>, NeighbourList<double, Periodic<double>>,
+                     CellGrid<float, Walled<float>>, NeighbourList<float, Periodic<float>>>;
+
+template <class Search> struct Parts;
+template <template <class, class> class Search, class Real_, class Container_>
+struct Parts<Search<Real_, Container_>> {
+    using Real = Real_;
+    using Container = Container_;
+};
+
+/// Balls that fly freely, through one another, so that any pair may come near at any time.
+template <class Search> struct Crowd {
+    using Real = typename Parts<Search>::Real;
+    using Container = typename Parts<Search>::Container;
+
+    System system;
+    Container cube{system};
+    Search search{system, cube};
+    std::vector<Ball<Real>> balls;
+    std::vector<Real> expiry;
+
+    Crowd(System const& made, std::uint64_t seed) : system(made) {
+        std::mt19937_64 random(seed);
+        double const low = static_cast<double>(cube.origin());
+        double const high = low + static_cast<double>(cube.extent());
+        for (std::int64_t k = 0; k < system.count; ++k) {
+            Ball<Real> ball{};
+            ball.point = made_up::in_cube<Real>(random, low, high);
+            ball.velocity = made_up::in_cube<Real>(random, -1, 1);
+            balls.push_back(ball);
+        }
+        search.rebuild(balls, 0);
+        for (std::int32_t k = 0; k < static_cast<std::int32_t>(balls.size()); ++k)
+            expiry.push_back(search.expiry(balls, k, 0));
+    }
+
+    bool listed(std::int32_t i, std::int32_t j) {
+        auto const candidates = search.candidates(i);
+        BOOST_TEST_REQUIRE(candidates.size() % lane_count == 0);
+        return std::find(candidates.begin(), candidates.end(), j) != candidates.end();
+    }
+
+    Real distance(std::int32_t i, std::int32_t j, Real now) const {
+        Pair<Real> const pair = pair_of(balls[static_cast<std::size_t>(i)],
+                                        balls[static_cast<std::size_t>(j)], cube, now);
+        Real const wait = now - pair.time;
+        Vector3<Real> const r{pair.x + pair.vx * wait, pair.y + pair.vy * wait,
+                              pair.z + pair.vz * wait};
+        return r.norm();
+    }
+
+    /// The laws of the concept at one moment.
+    void check(Real now) {
+        auto const count = static_cast<std::int32_t>(balls.size());
+        for (std::int32_t i = 0; i < count; ++i) {
+            for (std::int32_t j = 0; j < count; ++j) {
+                if (i == j || distance(i, j, now) > static_cast<Real>(system.diameter)) continue;
+                BOOST_TEST_REQUIRE(listed(i, j));
+                ++near_pairs;
+            }
+        }
+    }
+
+    void refresh_next() {
+        auto const first = std::min_element(expiry.begin(), expiry.end());
+        auto const ball = static_cast<std::int32_t>(first - expiry.begin());
+        Real const now = *first;
+        BOOST_TEST_REQUIRE((now >= latest));
+        latest = now;
+        bounce_those_at_walls(now);
+        auto const had = search.candidates(ball);
+        std::vector<std::int32_t> const before(had.begin(), had.end());
+        auto const fresh = search.refresh(balls, ball, now);
+        std::vector<std::int32_t> const told(fresh.begin(), fresh.end());
+        for (std::int32_t const j : search.candidates(ball)) {
+            bool const old = std::find(before.begin(), before.end(), j) != before.end();
+            BOOST_TEST_REQUIRE((old || std::find(told.begin(), told.end(), j) != told.end()));
+        }
+        *first = search.expiry(balls, ball, now);
+    }
+
+    /// Walls end a flight before a search notices.
+    void bounce_those_at_walls(Real now) {
+        if constexpr (Container::boundary == Boundary::walls) {
+            for (std::size_t k = 0; k < balls.size(); ++k) {
+                Ball<Real>& ball = balls[k];
+                Vector3<Real> const place = ball.position(now);
+                for (int d = 0; d < 3; ++d) {
+                    if ((place[d] >= cube.low || ball.velocity[d] > 0) &&
+                        (place[d] <= cube.high || ball.velocity[d] < 0))
+                        continue;
+                    ball.point = place;
+                    ball.point[d] = place[d] < cube.low ? cube.low : cube.high;
+                    ball.velocity[d] = -ball.velocity[d];
+                    ball.time = now;
+                    expiry[k] = search.expiry(balls, static_cast<std::int32_t>(k), now);
+                }
+            }
+        }
+    }
+
+    Real latest = 0;
+    long near_pairs = 0;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(near_pairs_are_candidates_of_each_other_at_all_times, Search,
+                              Searches) {
+    Crowd<Search> crowd(made_up::system(Crowd<Search>::Container::boundary, 90, 0.2), 11);
+    crowd.check(0);
+    for (int k = 0; k < 600; ++k) {
+        if (std::isinf(
+                static_cast<double>(*std::min_element(crowd.expiry.begin(), crowd.expiry.end()))))
+            break;
+        crowd.refresh_next();
+        if (k % 10 == 0) crowd.check(crowd.latest);
+    }
+    BOOST_TEST(crowd.near_pairs > 20);
+}
+
+/// All balls in one corner of a large box: chains of blocks, wide lists, nothing overflows.
+BOOST_AUTO_TEST_CASE(a_crowded_cell_holds_any_number) {
+    CellBins bins(Boundary::walls, 3, 500);
+    std::mt19937_64 random(1);
+    std::vector<CellBins::Cell> where(500);
+    for (int round = 0; round < 4000; ++round) {
+        auto const ball = static_cast<std::int32_t>(random() % 500);
+        auto& cell = where[static_cast<std::size_t>(ball)];
+        if (round >= 500) bins.remove(round < 1000 ? round - 500 : ball);
+        if (round < 500) {
+            where[static_cast<std::size_t>(round)] = {1, 1, 1};
+            bins.insert(round, {1, 1, 1});
+        } else {
+            std::int32_t const moved = round < 1000 ? round - 500 : ball;
+            where[static_cast<std::size_t>(moved)] = {static_cast<std::int32_t>(random() % 3), 1,
+                                                      1};
+            bins.insert(moved, where[static_cast<std::size_t>(moved)]);
+        }
+        (void)cell;
+    }
+    for (std::int32_t x = 0; x < 3; ++x) {
+        BallBuffer found;
+        bins.collect_block({x, 1, 1}, {0, 0, 0}, {0, 0, 0}, found);
+        std::vector<std::int32_t> got(found.begin(), found.end()), wanted;
+        std::sort(got.begin(), got.end());
+        for (std::int32_t ball = 0; ball < 500; ++ball)
+            if (where[static_cast<std::size_t>(ball)][0] == x) wanted.push_back(ball);
+        BOOST_TEST(got == wanted, boost::test_tools::per_element());
+    }
+}
