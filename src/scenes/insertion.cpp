@@ -1,12 +1,10 @@
 #include "scenes/insertion.hpp"
 
 #include "scenes/draw.hpp"
-#include "scenes/message.hpp"
 #include "scenes/near_places.hpp"
 #include "scenes/packing.hpp"
 #include "simulation/growth.hpp"
-
-#include <fmt/format.h>
+#include "state/errors.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -21,6 +19,9 @@ constexpr double insertion_limit = 0.25;
 /// So many balls are simply tried: the room at the walls, most of a small cube's, is not counted by
 /// any packing fraction.
 constexpr std::int64_t a_few = 32;
+
+/// Starts for these when they jam as they grow: one can get stuck where another does not.
+constexpr int attempts_of_a_few = 5;
 
 /// Draws for one ball before the start is given up for smaller balls.
 constexpr int most_draws = 2000;
@@ -100,22 +101,21 @@ double easily_inserted_diameter(System const& system) {
 
 Eigen::Matrix3Xd place_at_random(System const& system, std::uint64_t seed) {
     Generator generator = make_generator(seed, Stream::places);
-    double diameter = system.count <= a_few
-                          ? system.diameter
-                          : std::min(system.diameter, easily_inserted_diameter(system));
-    auto places = insert_balls(system, diameter, generator);
-    while (!places) {
-        diameter *= 0.9; // a few balls can block a small cube: begin again with smaller ones
-        places = insert_balls(system, diameter, generator);
-    }
-    if (diameter == system.diameter) return *places;
-    try {
-        return grow_balls(system, *places, diameter, generator());
-    } catch (LawBroken const& jam) {
-        throw input_error(fmt::format(
-            "arrangement = \"random\": {} balls at packing fraction {:.4g} jam while they grow "
-            "({}); take a larger cube, another seed, or arrangement = \"fcc\"",
-            system.count, system.packing_fraction(), jam.what()));
+    bool const few = system.count <= a_few;
+    for (int attempts_left = few ? attempts_of_a_few : 1;; --attempts_left) {
+        double diameter =
+            few ? system.diameter : std::min(system.diameter, easily_inserted_diameter(system));
+        auto places = insert_balls(system, diameter, generator);
+        while (!places) {
+            diameter *= 0.9; // a few balls can block a small cube: begin again with smaller ones
+            places = insert_balls(system, diameter, generator);
+        }
+        if (diameter == system.diameter) return *places;
+        try {
+            return grow_balls(system, *places, diameter, generator());
+        } catch (LawBroken const&) {
+            if (attempts_left == 1) throw;
+        }
     }
 }
 

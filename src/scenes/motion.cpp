@@ -11,31 +11,33 @@ namespace clack {
 
 namespace {
 
-/// A goal that counts collisions between balls.
-std::optional<Objection> counted_goal(Scene const& scene) {
-    if (scene.equilibrate > 0)
-        return Objection{key::equilibrate, fmt::format("{}", scene.equilibrate), ""};
+/// What the run counts in collisions between balls, if anything.
+struct CountedGoal {
+    Key key;
+    double value;
+};
+std::optional<CountedGoal> counted_goal(Scene const& scene) {
+    if (scene.equilibrate > 0) return CountedGoal{key::equilibrate, scene.equilibrate};
     if (scene.collisions_per_ball)
-        return Objection{key::collisions_per_ball, fmt::format("{}", *scene.collisions_per_ball),
-                         ""};
+        return CountedGoal{key::collisions_per_ball, *scene.collisions_per_ball};
     if (scene.collisions)
-        return Objection{key::collisions, fmt::format("{}", *scene.collisions), ""};
+        return CountedGoal{key::collisions, static_cast<double>(*scene.collisions)};
     return std::nullopt;
 }
 
 std::optional<Objection> objection_to_rest(Scene const& scene, double fastest) {
-    auto objection = counted_goal(scene);
-    if (!objection) return std::nullopt;
+    auto const goal = counted_goal(scene);
+    if (!goal) return std::nullopt;
+    std::string const value = fmt::format("{}", goal->value);
     if (scene.system.count == 1)
-        objection->rule = "is never reached, for a single ball has no other to collide with; set "
-                          "time instead";
-    else if (fastest == 0)
-        objection->rule =
-            "is never reached, for all velocities are zero: nothing will ever happen; "
-            "give the balls velocities, or set time instead";
-    else
-        return std::nullopt;
-    return objection;
+        return Objection{goal->key, value,
+                         "is never reached, for a single ball has no other to collide with; set "
+                         "time instead"};
+    if (fastest == 0)
+        return Objection{goal->key, value,
+                         "is never reached, for all velocities are zero: nothing will ever happen; "
+                         "give the balls velocities, or set time instead"};
+    return std::nullopt;
 }
 
 } // namespace

@@ -37,7 +37,7 @@ std::int64_t fcc_site_count(std::int64_t layers);
 double fcc_layer_distance(System const& system, std::int64_t layers);
 
 /// Upper bound of the packing fraction for this many balls. For lattices it is reached, for
-/// explicit places it is close packing.
+/// explicit places it is close packing, for random ones it is where growing balls were seen to jam.
 double largest_packing_fraction(Arrangement arrangement, Boundary boundary, std::int64_t count);
 
 /// Why the balls do not fit and what would, or nothing when they fit. `given` is what the user set.

@@ -38,6 +38,16 @@ void check_length(Scene const& scene, std::string const& what, Eigen::Matrix3Xd 
                                         what, columns.cols(), scene.system.count));
 }
 
+Eigen::Matrix3Xd place_at_random(Scene const& scene) {
+    try {
+        return place_at_random(scene.system, scene.seed);
+    } catch (LawBroken const& jam) {
+        throw refuse(scene, fmt::format("arrangement = \"random\": {}, short of {:.4g}; lower it, "
+                                        "take another seed, or arrangement = \"fcc\"",
+                                        jam.what(), scene.system.packing_fraction()));
+    }
+}
+
 Eigen::Matrix3Xd place_balls(Scene const& scene, Eigen::Matrix3Xd const& from_file) {
     switch (scene.arrangement) {
     case Arrangement::grid:
@@ -45,7 +55,7 @@ Eigen::Matrix3Xd place_balls(Scene const& scene, Eigen::Matrix3Xd const& from_fi
     case Arrangement::fcc:
         return place_on_fcc(scene.system);
     case Arrangement::random:
-        return place_at_random(scene.system, scene.seed);
+        return place_at_random(scene);
     case Arrangement::explicit_:
         return scene.positions;
     case Arrangement::file:
