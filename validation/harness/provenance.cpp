@@ -1,5 +1,6 @@
 #include "validation/harness/provenance.hpp"
 
+#include "clack_build.hpp" // made by the build: CLACK_VERSION, CLACK_FLAGS
 #include "validation/harness/campaign.hpp"
 
 #include <fmt/format.h>
@@ -41,25 +42,6 @@ std::string compiler() {
 #endif
 }
 
-/// What of the flags the code can see for itself.
-std::string flags() {
-    std::string flags =
-#if defined(__OPTIMIZE__)
-        "optimised";
-#else
-        "not optimised";
-#endif
-#if defined(__AVX512F__)
-    flags += ", AVX-512";
-#elif defined(__AVX2__)
-    flags += ", AVX2";
-#endif
-#if !defined(NDEBUG)
-    flags += ", assertions";
-#endif
-    return flags;
-}
-
 } // namespace
 
 std::vector<std::string> provenance(std::string const& stem, std::string const& question,
@@ -67,10 +49,11 @@ std::vector<std::string> provenance(std::string const& stem, std::string const& 
     return {"experiment: " + stem,
             "question: " + question,
             fmt::format("profile: {}", name_of(options.profile)),
+            "version: " CLACK_VERSION,
             "commit: " + commit(),
             "program: " + program_hash(),
             "compiler: " + compiler(),
-            "flags: " + flags(),
+            "flags: " CLACK_FLAGS,
             "machine: " + processor(),
             "seeds: hashed from experiment, state point and replicate; each stands in " + stem +
                 ".replicates"};
