@@ -76,6 +76,7 @@ struct CheckpointSlots::Header {
     std::uint64_t ball_collisions, wall_collisions;
     double virial, wall_impulse, deepest_overlap;
     std::uint64_t hash, frames, samples, events;
+    std::uint64_t next_frame, next_sample, closing_frames, closing_samples;
     double cpu_seconds;
     std::uint64_t file_bytes;
 
@@ -98,6 +99,10 @@ struct CheckpointSlots::Header {
         frames = point.frames;
         samples = point.samples;
         events = point.events;
+        next_frame = point.next_frame;
+        next_sample = point.next_sample;
+        closing_frames = point.closing_frames;
+        closing_samples = point.closing_samples;
         cpu_seconds = point.cpu_seconds;
         file_bytes = point.file_bytes;
     }
@@ -108,6 +113,10 @@ struct CheckpointSlots::Header {
         point.frames = frames;
         point.samples = samples;
         point.events = events;
+        point.next_frame = next_frame;
+        point.next_sample = next_sample;
+        point.closing_frames = closing_frames;
+        point.closing_samples = closing_samples;
         point.cpu_seconds = cpu_seconds;
         point.file_bytes = file_bytes;
         auto& engine = point.engine;
@@ -134,37 +143,48 @@ struct CheckpointSlots::Header {
 };
 
 Id CheckpointSlots::header_type() {
-    Id type(checked(H5Tcreate(H5T_COMPOUND, sizeof(Header)), "describe a checkpoint"), H5Tclose);
-    auto const add = [&](char const* name, std::size_t offset, hid_t member) {
-        checked_status(H5Tinsert(type.get(), name, offset, member), "describe a checkpoint");
-    };
     hsize_t const offsets = limbs_max;
     Id const offset_type(
         checked(H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &offsets), "describe a checkpoint"),
         H5Tclose);
-    add("sequence", offsetof(Header, sequence), H5T_NATIVE_UINT64);
-    add("checksum", offsetof(Header, checksum), H5T_NATIVE_UINT64);
-    add("phase", offsetof(Header, phase), H5T_NATIVE_INT64);
-    add("limbs", offsetof(Header, limbs), H5T_NATIVE_INT64);
-    add("epoch", offsetof(Header, epoch), H5T_NATIVE_INT64);
-    add("epoch_length", offsetof(Header, epoch_length), H5T_NATIVE_DOUBLE);
-    add("offset", offsetof(Header, offset), offset_type.get());
-    add("ball_collisions", offsetof(Header, ball_collisions), H5T_NATIVE_UINT64);
-    add("wall_collisions", offsetof(Header, wall_collisions), H5T_NATIVE_UINT64);
-    add("virial", offsetof(Header, virial), H5T_NATIVE_DOUBLE);
-    add("wall_impulse", offsetof(Header, wall_impulse), H5T_NATIVE_DOUBLE);
-    add("deepest_overlap", offsetof(Header, deepest_overlap), H5T_NATIVE_DOUBLE);
-    add("hash", offsetof(Header, hash), H5T_NATIVE_UINT64);
-    add("frames", offsetof(Header, frames), H5T_NATIVE_UINT64);
-    add("samples", offsetof(Header, samples), H5T_NATIVE_UINT64);
-    add("events", offsetof(Header, events), H5T_NATIVE_UINT64);
-    add("cpu_seconds", offsetof(Header, cpu_seconds), H5T_NATIVE_DOUBLE);
-    add("file_bytes", offsetof(Header, file_bytes), H5T_NATIVE_UINT64);
+    hid_t const count = H5T_NATIVE_UINT64, number = H5T_NATIVE_INT64, real = H5T_NATIVE_DOUBLE;
+    struct Member {
+        char const* name;
+        std::size_t offset;
+        hid_t type;
+    };
+    Member const members[]{{"sequence", offsetof(Header, sequence), count},
+                           {"checksum", offsetof(Header, checksum), count},
+                           {"phase", offsetof(Header, phase), number},
+                           {"limbs", offsetof(Header, limbs), number},
+                           {"epoch", offsetof(Header, epoch), number},
+                           {"epoch_length", offsetof(Header, epoch_length), real},
+                           {"offset", offsetof(Header, offset), offset_type.get()},
+                           {"ball_collisions", offsetof(Header, ball_collisions), count},
+                           {"wall_collisions", offsetof(Header, wall_collisions), count},
+                           {"virial", offsetof(Header, virial), real},
+                           {"wall_impulse", offsetof(Header, wall_impulse), real},
+                           {"deepest_overlap", offsetof(Header, deepest_overlap), real},
+                           {"hash", offsetof(Header, hash), count},
+                           {"frames", offsetof(Header, frames), count},
+                           {"samples", offsetof(Header, samples), count},
+                           {"events", offsetof(Header, events), count},
+                           {"next_frame", offsetof(Header, next_frame), count},
+                           {"next_sample", offsetof(Header, next_sample), count},
+                           {"closing_frames", offsetof(Header, closing_frames), count},
+                           {"closing_samples", offsetof(Header, closing_samples), count},
+                           {"cpu_seconds", offsetof(Header, cpu_seconds), real},
+                           {"file_bytes", offsetof(Header, file_bytes), count}};
+    Id type(checked(H5Tcreate(H5T_COMPOUND, sizeof(Header)), "describe a checkpoint"), H5Tclose);
+    for (auto const& member : members) {
+        checked_status(H5Tinsert(type.get(), member.name, member.offset, member.type),
+                       "describe a checkpoint");
+    }
     return type;
 }
 
 CheckpointSlots CheckpointSlots::create(Id const& file, System const& system, int limbs) {
-    static_assert(sizeof(Header) == 20 * 8);
+    static_assert(sizeof(Header) == 24 * 8);
     CheckpointSlots slots;
     auto const group = hdf5::create_group(file, "checkpoint");
     auto const balls = static_cast<hsize_t>(system.count);

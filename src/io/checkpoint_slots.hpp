@@ -22,8 +22,12 @@ struct ResumePoint {
     std::uint64_t frames = 0; // rows that are this run's up to here; later ones are redone
     std::uint64_t samples = 0;
     std::uint64_t events = 0;
-    double cpu_seconds = 0;       // of the event loop since time 0
-    std::uint64_t file_bytes = 0; // the file's length by then: a shorter file has lost its end
+    std::uint64_t next_frame = 0;      // the multiple of the frame interval that comes next
+    std::uint64_t next_sample = 0;     // the multiple of the samples' pace that comes next
+    std::uint64_t closing_frames = 0;  // 1 when the last frame stands there only because the run
+    std::uint64_t closing_samples = 0; // ended then, and goes when it is extended; same for samples
+    double cpu_seconds = 0;            // of the event loop since time 0
+    std::uint64_t file_bytes = 0;      // the file's length by then: a shorter file has lost its end
 };
 
 /// The group `checkpoint` of a file: slots `a` and `b`, each with its numbers and a header that is

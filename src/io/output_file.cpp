@@ -46,7 +46,7 @@ bool is_empty_or_hdf5(std::string const& path) {
 
 } // namespace
 
-void require_writable(std::string const& path) {
+void require_writable(std::string const& path, Replacing replacing) {
     auto const refuse = [&](std::string const& why) {
         throw InputError("output = " + path + ": " + why);
     };
@@ -70,7 +70,7 @@ void require_writable(std::string const& path) {
     unlink(probe.c_str());
     if (!fs::exists(path, ignored)) return;
     if (!fs::is_regular_file(path, ignored)) refuse("is not an ordinary file; choose another name");
-    if (!is_empty_or_hdf5(path)) {
+    if (replacing == Replacing::trajectories && !is_empty_or_hdf5(path)) {
         refuse("exists and is not a trajectory; remove it or choose another name");
     }
     WriterLock const nobody_is_writing(path);

@@ -5,9 +5,13 @@
 
 namespace clack {
 
+/// What may stand in an output's place already.
+enum class Replacing { trajectories, any_file };
+
 /// Throws InputError unless a file of this name can be made: the folder must exist and take new
-/// files, and what stands there already must be an HDF5 file, or empty, and not being written.
-void require_writable(std::string const& path);
+/// files, and what stands there already must be an ordinary file that no process of ours is
+/// writing; where only trajectories may be replaced, an HDF5 file or an empty one.
+void require_writable(std::string const& path, Replacing replacing = Replacing::trajectories);
 
 /// The lock that tells others that a process is writing a file; it ends with the process. Readers
 /// need not care. Where a file system knows no such locks there is none.

@@ -50,16 +50,6 @@ void TrajectoryWriter::copy_from(TrajectoryReader const& source, ResumePoint con
     events_ = point.events;
 }
 
-void TrajectoryWriter::start(ResumePoint& point) {
-    guarded([&] {
-        write_waiting();
-        hdf5::flush_file(file_);
-        hdf5::share_with_readers(file_);
-        write_checkpoint(point);
-    });
-    temporary_->move_into_place();
-}
-
 void TrajectoryWriter::add_frame(Snapshot const& frame, Sample const& sample) {
     frame_series_.push(frame, sample);
     ++frames_;
@@ -82,10 +72,16 @@ void TrajectoryWriter::add_event(Collision<double> const& event) {
 }
 
 void TrajectoryWriter::flush(ResumePoint& point) {
+    bool const first = !temporary_->in_place();
     guarded([&] {
         write_waiting();
+        if (first) {
+            hdf5::flush_file(file_);
+            hdf5::share_with_readers(file_);
+        }
         write_checkpoint(point);
     });
+    if (first) temporary_->move_into_place();
 }
 
 void TrajectoryWriter::write_waiting() {

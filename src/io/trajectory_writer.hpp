@@ -14,9 +14,9 @@ namespace clack {
 class TrajectoryReader;
 
 /// One run's file. What is added waits in memory until the next flush, which also writes where the
-/// run can go on. The file has a temporary name until it is first whole: `start` moves it into
-/// place, replacing what stood there. Every member throws WriteError, naming the file, when the
-/// file cannot be written; the file then stays as its last flush left it.
+/// run can go on. The file has a temporary name until it is first whole: the first flush opens it
+/// to readers and moves it into place, replacing what stood there. Every member throws WriteError,
+/// naming the file, when the file cannot be written; the file then stays as its last flush left it.
 class TrajectoryWriter {
 public:
     TrajectoryWriter(std::string const& path, TrajectoryHeader const& header);
@@ -24,9 +24,6 @@ public:
     /// What an earlier file of the same run holds up to `point`, of the samples only those given.
     void copy_from(TrajectoryReader const& source, ResumePoint const& point,
                    std::vector<Sample> const& samples);
-    /// Writes the first checkpoint, moves the file into place and opens it to readers.
-    void start(ResumePoint& point);
-
     void add_frame(Snapshot const& frame, Sample const& sample);
     void add_sample(Sample const& sample);
     void add_event(Collision<double> const& event);

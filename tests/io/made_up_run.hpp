@@ -122,7 +122,7 @@ inline void write_made_up_run(std::string const& path, TrajectoryHeader const& h
                               std::int64_t frames) {
     TrajectoryWriter writer(path, header);
     auto start = made_up_point(header.system.count, header.limbs, 0);
-    writer.start(start);
+    writer.flush(start);
     add_made_up(writer, header.system.count, header.limbs, 0, frames);
     writer.close();
 }

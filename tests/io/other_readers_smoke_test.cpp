@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(h5py_follows_a_run_that_is_still_written) {
     auto const path = folder.file("growing.h5");
     TrajectoryWriter writer(path, made_up_header(Boundary::periodic, 6));
     auto start = made_up_point(6, 1, 0);
-    writer.start(start);
+    writer.flush(start);
     add_made_up(writer, 6, 1, 0, 4);
     auto const command = python() + " -c \"import h5py; f = h5py.File('" + path +
                          "', 'r', libver='latest', swmr=True); "

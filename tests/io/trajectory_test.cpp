@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(file_can_be_followed_while_it_is_written) {
     TrajectoryWriter writer(folder.file("growing.h5"), header);
     BOOST_TEST(!std::filesystem::exists(folder.file("growing.h5"))); // until it is whole
     auto start = made_up_point(4, 1, 0);
-    writer.start(start);
+    writer.flush(start);
     for (std::int64_t k = 0; k < 5; ++k) {
         add_made_up(writer, 4, 1, k, 1);
         std::filesystem::copy_file(folder.file("growing.h5"), copy,
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(copy_ends_at_the_checkpoint) {
     {
         TrajectoryWriter writer(folder.file("copy.h5"), header);
         writer.copy_from(source, point, source.samples(1));
-        writer.start(point);
+        writer.flush(point);
         writer.close();
     }
     TrajectoryReader const copy(folder.file("copy.h5"));

@@ -1,0 +1,55 @@
+#pragma once
+// The program's commands. Each returns the exit code, prints its result on standard output, and
+// throws InputError, LawBroken or WriteError for `main` to put into one line.
+
+#include "cli/progress.hpp"
+#include "cli/summary.hpp"
+
+#include <string>
+#include <vector>
+
+namespace clack {
+
+enum class Form { text, json };
+
+/// Exit codes.
+constexpr int exit_done = 0, exit_law_broken = 1, exit_mistake = 2;
+
+struct RunOptions {
+    std::string scene;
+    std::string output; // empty: the scene's stem in the current folder
+    std::vector<std::string> overrides;
+    Progress progress = Progress::shown;
+    ShowHash hash = ShowHash::no;
+    Form form = Form::text;
+};
+
+/// From a scene to a trajectory.
+int run_command(RunOptions const& options);
+
+struct ResumeOptions {
+    std::string trajectory;
+    std::vector<std::string> overrides;
+    Progress progress = Progress::shown;
+    ShowHash hash = ShowHash::no;
+    Form form = Form::text;
+};
+
+/// Goes on where a file stops, to the same bits.
+int resume_command(ResumeOptions const& options);
+
+/// What a scene will be run with and cost, or what a trajectory holds.
+int info_command(std::string const& path, std::vector<std::string> const& overrides);
+
+/// Recomputes the laws from a trajectory; the exit code says whether they hold.
+int check_command(std::string const& path);
+
+struct ExportOptions {
+    std::string trajectory;
+    std::string output; // empty: the trajectory's stem in the current folder
+};
+
+/// Writes a trajectory's frames as extended XYZ.
+int export_command(ExportOptions const& options);
+
+} // namespace clack

@@ -1,0 +1,178 @@
+#include "cli/commands.hpp"
+#include "cli/memory.hpp"
+#include "cli/schedule.hpp"
+#include "io/trajectory_reader.hpp"
+#include "simulation/model_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace clack {
+
+namespace {
+
+void line(char const* name, std::string const& value) { fmt::print("{:<18}{}\n", name, value); }
+
+bool is_hdf5(std::string const& path) {
+    std::ifstream file(path, std::ios::binary);
+    char start[8] = {};
+    file.read(start, sizeof start);
+    return std::string_view(start, sizeof start) == "\x89HDF\r\n\x1a\n";
+}
+
+void print_system(System const& system) {
+    line("balls",
+         fmt::format("{}, diameter {:g}, mass {:g}", system.count, system.diameter, system.mass));
+    line("container",
+         fmt::format("{}, side {:.10g}", system.boundary == Boundary::walls ? "walls" : "periodic",
+                     system.side));
+    line("packing fraction", fmt::format("{:.6g}", system.packing_fraction()));
+    line("number density", fmt::format("{:.6g} / length^3", system.number_density()));
+}
+
+/// Collisions of one ball in unit time as Enskog has it, with Carnahan and Starling's contact
+/// value; good to a few per cent in the fluid, a guide elsewhere.
+///   kt  [energy]
+double rough_collision_rate(System const& system, double kt) {
+    double const eta = std::min(system.packing_fraction(), 0.74);
+    double const contact_value = (1 - eta / 2) / ((1 - eta) * (1 - eta) * (1 - eta));
+    double const others = static_cast<double>(system.count - 1) / system.volume();
+    return 4 * std::sqrt(std::numbers::pi * kt / system.mass) * others * system.diameter *
+           system.diameter * contact_value;
+}
+
+/// kT of a scene that draws its velocities, else of those it lists; none where they are in a file.
+std::optional<double> scene_temperature(Scene const& scene) {
+    if (scene.distribution == Distribution::file) return std::nullopt;
+    if (scene.distribution != Distribution::explicit_) return scene.temperature;
+    double energy = 0;
+    Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+    for (Eigen::Index ball = 0; ball < scene.velocities.cols(); ++ball) {
+        Eigen::Vector3d const velocity = scene.velocities.col(ball);
+        energy += 0.5 * scene.system.mass * velocity.squaredNorm();
+        momentum += scene.system.mass * velocity;
+    }
+    return temperature(scene.system, energy, momentum);
+}
+
+/// Collisions per second here and now: of a short run, where building one costs little.
+std::optional<double> measured_speed(Scene const& scene) {
+    constexpr std::int64_t count_max = 20'000; // a second at most
+    constexpr double seconds = 0.3;
+    if (scene.system.count > count_max) return std::nullopt;
+    auto const engine =
+        make_engine(scene.system, scene.method, scene.precision, make_start(scene, last_frame));
+    using Clock = std::chrono::steady_clock;
+    auto const begin = Clock::now();
+    auto const elapsed = [&] {
+        return std::chrono::duration<double>(Clock::now() - begin).count();
+    };
+    Goal goal;
+    goal.events = 1000;
+    while (elapsed() < seconds && engine->advance(goal) == Stop::events) {
+    }
+    return static_cast<double>(engine->tallies().ball_collisions) / elapsed();
+}
+
+void print_goal(Scene const& scene) {
+    Schedule const schedule(scene);
+    auto const kt = scene_temperature(scene);
+    double const rate = kt ? rough_collision_rate(scene.system, *kt) : 0;
+    double const half = static_cast<double>(scene.system.count) / 2;
+    double const collisions =
+        scene.time ? rate * half * *scene.time : static_cast<double>(schedule.end_collisions());
+    std::string const before =
+        schedule.equilibration() > 0
+            ? fmt::format(", after {} collisions of equilibration", schedule.equilibration())
+            : "";
+    if (scene.time) {
+        line("goal",
+             fmt::format("time {:g}, about {:.3g} collisions{}", *scene.time, collisions, before));
+    } else {
+        line("goal", fmt::format("{} collisions{}", schedule.end_collisions(), before));
+    }
+    if (rate > 0) {
+        line("collision rate", fmt::format("about {:.3g} / (ball time): Enskog's theory", rate));
+    }
+    if (auto const speed = measured_speed(scene); speed && *speed > 0) {
+        double const all = static_cast<double>(schedule.equilibration()) + collisions;
+        line("duration", fmt::format("about {} at {:.2g} collisions/s, as measured just now",
+                                     duration_in_words(all / *speed), *speed));
+    } else {
+        line("duration", "not estimated");
+    }
+}
+
+int scene_info(std::string const& path, std::vector<std::string> const& overrides) {
+    auto const scene = read_scene(path, overrides);
+    auto const choice = choose_model(scene.system, scene.method, scene.precision);
+    auto const model = describe(choice, scene.system, scene.precision);
+    line("scene", path + (scene.title.empty() ? "" : ": " + scene.title));
+    print_system(scene.system);
+    line("model", fmt::format("{}, {}, {} in {}: {}", model.boundary, model.search, model.queue,
+                              model.precision, model.reason));
+    line("memory", fmt::format("about {} of {} available",
+                               bytes_in_words(static_cast<double>(run_bytes(scene))),
+                               bytes_in_words(static_cast<double>(available_bytes()))));
+    require_memory(scene);
+    print_goal(scene);
+    return exit_done;
+}
+
+char const* in_words(Phase phase) {
+    switch (phase) {
+    case Phase::equilibrating:
+        return "equilibrating: resumable";
+    case Phase::under_way:
+        return "under way or stopped: resumable";
+    default:
+        return "finished: resumable with a larger goal";
+    }
+}
+
+void print_rows(TrajectoryReader const& file) {
+    auto const frames = file.frame_count();
+    line("frames", frames == 0 ? "none yet"
+                               : fmt::format("{} from t = {:.10g} to {:.10g}", frames,
+                                             file.frame_time(0), file.frame_time(frames - 1)));
+    line("samples", fmt::format("{}", file.sample_count()));
+    line("events", file.header().events == Events::stored ? fmt::format("{}", file.event_count())
+                                                          : "not stored");
+}
+
+int trajectory_info(std::string const& path) {
+    TrajectoryReader const file(path);
+    auto const& header = file.header();
+    line("trajectory", path);
+    print_system(header.system);
+    print_rows(file);
+    auto const point = file.resume_point();
+    line("state", fmt::format("{}, at {} collisions", in_words(point.phase),
+                              point.engine.tallies.ball_collisions));
+    if (file.left_open()) line("", "its writer is at work, or was killed");
+    line("scene", header.scene_source);
+    line("seed", fmt::format("{}", header.seed));
+    auto const& model = header.model;
+    line("model", fmt::format("{}, {}, {} in {}", model.boundary, model.search, model.queue,
+                              model.precision));
+    auto const& provenance = header.provenance;
+    line("written by", fmt::format("clack {} ({})", provenance.version, provenance.commit));
+    line("compiled with", fmt::format("{}: {}", provenance.compiler, provenance.flags));
+    line("on", provenance.machine);
+    return exit_done;
+}
+
+} // namespace
+
+int info_command(std::string const& path, std::vector<std::string> const& overrides) {
+    return is_hdf5(path) ? trajectory_info(path) : scene_info(path, overrides);
+}
+
+} // namespace clack

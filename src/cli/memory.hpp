@@ -1,0 +1,25 @@
+#pragma once
+// Whether a run fits into memory, asked before any of it is taken.
+
+#include "scenes/scene.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace clack {
+
+/// Bytes that this process can still take: what the system has available, within the limits set to
+/// the process and its control group.
+std::size_t available_bytes();
+
+/// Bytes that a run of the scene takes: the engine's, the start, and what is kept back until it is
+/// written.
+std::size_t run_bytes(Scene const& scene);
+
+/// Throws InputError, saying how much is needed and how much there is, when a scene does not fit.
+void require_memory(Scene const& scene);
+
+/// "12.3 MiB"
+std::string bytes_in_words(double bytes);
+
+} // namespace clack

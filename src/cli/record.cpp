@@ -1,0 +1,56 @@
+#include "cli/record.hpp"
+
+#include "cli/interrupt.hpp"
+#include "io/file_errors.hpp"
+#include "state/real.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace clack {
+
+namespace {
+
+int limbs_of(Precision precision) {
+    switch (precision) {
+    case Precision::extended:
+        return limb_count<long double>;
+    case Precision::quadruple:
+        return limb_count<quad>;
+    default:
+        return 1;
+    }
+}
+
+} // namespace
+
+TrajectoryHeader header_of(Scene const& scene, Engine const& engine) {
+    TrajectoryHeader header;
+    header.scene_text = scene.text;
+    header.scene_source = scene.source;
+    header.system = engine.system();
+    header.events = scene.events;
+    header.limbs = limbs_of(scene.precision);
+    header.seed = scene.seed;
+    header.model = engine.model();
+    return header;
+}
+
+void print_summary(Summary const& summary, Form form, ShowHash hash) {
+    fmt::print("{}", form == Form::json ? as_json(summary) : as_text(summary, hash));
+    if (std::fflush(stdout) != 0) throw WriteError("standard output: cannot be written");
+}
+
+int record(RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,
+           std::string const& output) {
+    defer_interrupts();
+    auto const end = run.run();
+    writer.close();
+    line.clear();
+    if (end == RecordedRun::End::finished) return exit_done;
+    fmt::print(stderr, "clack: interrupted; go on with: clack resume {}\n", output);
+    return interrupted_exit_code;
+}
+
+} // namespace clack

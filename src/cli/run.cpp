@@ -1,0 +1,44 @@
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/memory.hpp"
+#include "cli/record.hpp"
+#include "io/output_file.hpp"
+#include "io/trajectory_reader.hpp"
+#include "io/trajectory_writer.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace clack {
+
+namespace {
+
+std::unique_ptr<Engine> start_engine(Scene const& scene) {
+    auto const start = make_start(scene, last_frame);
+    return make_engine(scene.system, scene.method, scene.precision, start);
+}
+
+} // namespace
+
+int run_command(RunOptions const& options) {
+    catch_interrupts();
+    auto const scene = read_scene(options.scene, options.overrides);
+    auto const output = options.output.empty()
+                            ? std::filesystem::path(options.scene).stem().string() + ".h5"
+                            : options.output;
+    require_memory(scene);
+    require_writable(output);
+    auto const engine = start_engine(scene);
+
+    TrajectoryWriter writer(output, header_of(scene, *engine));
+    ProgressLine line(options.progress);
+    RecordedRun run(scene, *engine, writer, line);
+    int const code = record(run, writer, line, output);
+    if (code == exit_done) {
+        print_summary(summarize(scene, *engine, run.samples(), run.cpu_seconds()), options.form,
+                      options.hash);
+    }
+    return code;
+}
+
+} // namespace clack
