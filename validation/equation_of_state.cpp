@@ -72,9 +72,9 @@ std::vector<Row> measured(Experiment& experiment) {
 
 Csv csv_of(std::vector<Row> const& rows) {
     Csv csv({"packing_fraction", "count", "number_density_per_diameter3", "replicates",
-             "collisions", "Zc_virial", "Zc_virial_error", "Zc_rate", "Zc_rate_error", "Zc_theory",
-             "margin", "z_virial", "z_rate", "Z", "Z_error", "Z_theory", "Z_carnahan_starling",
-             "verdict"});
+             "collisions", "Z_virial", "Z_virial_error", "Z_rate", "Z_rate_error", "Z_theory",
+             "margin", "z_virial", "z_rate", "Z_infinite", "Z_infinite_error", "Z_infinite_theory",
+             "Z_infinite_carnahan_starling", "verdict"});
     for (Row const& row : rows)
         csv.row({cell(row.point.packing_fraction), cell(row.point.count),
                  cell(row.point.number_density()), cell(row.point.replicates),

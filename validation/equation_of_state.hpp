@@ -1,6 +1,7 @@
 #pragma once
 // Equation of state of the fluid: state points, one measurement, and what it should give.
 
+#include "observables/pressure.hpp"
 #include "reference/equation_of_state.hpp"
 #include "reference/finite_size.hpp"
 #include "validation/harness/campaign.hpp"
@@ -47,7 +48,7 @@ inline std::vector<StatePoint> state_points(Profile const profile) {
     return points;
 }
 
-/// A difference in Zc that would not matter, as a part of Zc.
+/// A difference that would not matter, as a part of Zc, the collisional part of Z.
 /// A diameter wrong by 0.1 % changes Zc by 0.3 % where it changes it least, in the dilute gas, and
 /// by 1.1 % at freezing; the margin is two thirds, and in the full profile one third, of that least
 /// effect. What the finite-size law leaves out stays below it at these numbers of balls.
@@ -56,7 +57,7 @@ constexpr double margin(Profile const profile) { return profile == Profile::quic
 /// Relative error of the theory's Z.
 constexpr double theory_error = 2e-5;
 
-/// What one replicate measures.
+/// What one replicate measures: the compressibility factor of N balls, in two ways.
 enum Value : std::size_t { by_virial, by_rate };
 
 inline Scene scene_of(StatePoint const& point, std::uint64_t const seed) {
@@ -69,14 +70,15 @@ inline Scene scene_of(StatePoint const& point, std::uint64_t const seed) {
     return scene;
 }
 
-/// Collisional part of the compressibility factor, Zc, in two ways: from the virial of the
-/// collisions and from their number. The spans of equilibration and of production are times that
-/// are fixed beforehand: one that ended with a collision would favour moments of many.
+/// The compressibility factor from the virial of the collisions, as a run reports it, and from
+/// their number. The spans of equilibration and of production are times that are fixed beforehand:
+/// one that ended with a collision would favour moments of many.
 inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
                            EngineMaker const& make = make_true_engine) {
     auto const engine = make(scene_of(point, seed));
+    System const& system = engine->system();
     auto const count = static_cast<double>(point.count);
-    double const freedom = engine->system().degrees_of_freedom();
+    double const freedom = system.degrees_of_freedom();
     double const rate = reference::collision_rate(
         reference::collisional_compressibility(point.number_density(), point.count), freedom);
 
@@ -86,10 +88,15 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
     engine->advance({.time = time});
 
     Tallies const& tallies = engine->tallies();
-    double const temperature = 2 * engine->kinetic_energy() / freedom;
+    double const energy = engine->kinetic_energy();
+    double const kt = temperature(system, energy, engine->momentum());
+    auto const factor =
+        compressibility_factor(system, kt, {{0, {}, energy}, {time, tallies, energy}});
     double const collisions_per_ball = 2 * static_cast<double>(tallies.ball_collisions) / count;
-    return {tallies.virial / (3 * count * temperature * time),
-            reference::collisional_from_rate(collisions_per_ball / time, freedom)};
+    double const thermal_rate =
+        collisions_per_ball / time * system.diameter * std::sqrt(system.mass / kt);
+    return {factor.virial.value().value,
+            1 - 1 / count + reference::collisional_from_rate(thermal_rate, freedom)};
 }
 
 /// One of the values of all replicates beside the theory's.
@@ -97,13 +104,12 @@ inline Comparison compare(StatePoint const& point, std::vector<Measurement> cons
                           Value const value, double const relative_margin) {
     std::vector<double> values;
     for (Measurement const& measurement : replicates) values.push_back(measurement[value]);
-    double const theory =
-        reference::collisional_compressibility(point.number_density(), point.count);
+    double const rho = point.number_density();
     return {.name = point.text() + (value == by_virial ? " virial" : " rate"),
             .measured = mean_of(values),
-            .reference = theory,
-            .reference_error = theory_error * (1 + theory),
-            .margin = relative_margin * theory};
+            .reference = reference::periodic_compressibility(rho, point.count),
+            .reference_error = theory_error * reference::modified_klm(point.packing_fraction),
+            .margin = relative_margin * reference::collisional_compressibility(rho, point.count)};
 }
 
 } // namespace clack::validation::equation_of_state

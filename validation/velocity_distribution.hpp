@@ -2,10 +2,10 @@
 // How fast the balls are: state points, one measurement, and what it should give.
 
 #include "reference/velocity_laws.hpp"
-#include "validation/harness/blocking.hpp"
 #include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/goodness_of_fit.hpp"
+#include "validation/harness/independence.hpp"
 #include "validation/harness/many_tests.hpp"
 #include "validation/harness/options.hpp"
 #include "validation/harness/verdict.hpp"

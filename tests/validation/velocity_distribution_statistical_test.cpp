@@ -1,0 +1,80 @@
+// What the experiment catches, at the size and with the settings of its quick profile.
+
+#include "validation/velocity_distribution.hpp"
+#include "validation/velocity_relaxation.hpp"
+
+#include "mutants.hpp"
+#include "validation/harness/seeds.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <stdexcept>
+
+using namespace clack;
+using namespace clack::validation;
+using namespace clack::validation::velocity_distribution;
+
+namespace {
+
+StatePoint point_of(std::int64_t const count) {
+    for (StatePoint const& point : state_points(Profile::quick))
+        if (point.count == count) return point;
+    throw std::logic_error("no such point");
+}
+
+/// The experiment's own seeds, so that the true engine's verdict is the one it has there.
+Findings findings_of(StatePoint const& point, EngineMaker const& make) {
+    std::vector<Measurement> replicates;
+    for (int replicate = 0; replicate < point.replicates; ++replicate)
+        replicates.push_back(
+            measure(point, seed_of("velocity_distribution", point.text(), replicate), make));
+    return find(point, replicates);
+}
+
+/// The verdict on one point when it is one of all.
+Verdict verdict_of(Findings const& findings) {
+    double const points = static_cast<double>(state_points(Profile::quick).size());
+    for (GoodnessOfFit const& fit : findings.fits)
+        BOOST_TEST_MESSAGE(fit.name << ": p = " << fit.p_value);
+    BOOST_TEST_MESSAGE("fourth moment " << findings.fourth_moment.measured.value << ", theory "
+                                        << findings.fourth_moment.reference);
+    return judge_points({findings}, {.false_alarm = Risks{}.false_alarm / points}).front();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(true_engine_passes_and_another_law_does_not) {
+    StatePoint const point = point_of(32);
+    Findings const findings = findings_of(point, make_true_engine);
+    BOOST_TEST((verdict_of(findings) == Verdict::agrees));
+
+    // Maxwell and Boltzmann's law, and that of one ball more or less, are others.
+    Findings maxwell = findings;
+    maxwell.fourth_moment.reference = reference::MaxwellBoltzmann::fourth_moment_ratio;
+    BOOST_TEST((verdict_of(maxwell) == Verdict::differs));
+    auto const limit = bin_probabilities(reference::MaxwellBoltzmann(1, 1));
+    BOOST_TEST(chi_square(findings.counts, limit).p_value < 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(impulses_wrong_by_a_ten_thousandth_do_not_pass) {
+    auto const make = [](Scene const& scene) {
+        return mutants::make<WalledCube, mutants::WeakerImpulses>(scene);
+    };
+    Findings const findings = findings_of(point_of(32), make);
+    BOOST_TEST((verdict_of(findings) == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(equal_speeds_start_to_part_as_chaos_among_molecules_says) {
+    Relaxation const relaxation;
+    std::vector<double> rises;
+    for (int replicate = 0; replicate < relaxation.replicates; ++replicate) {
+        Measurement const values =
+            measure(relaxation, seed_of("velocity_distribution", relaxation.text(), replicate));
+        rises.push_back((values[1] - 1) / values[0]);
+    }
+    // At 0.1 collisions a ball the rise has bent by about 1 %, half a standard error of 200 starts.
+    Estimate const rise = mean_of(rises);
+    BOOST_TEST_MESSAGE("first rise " << rise.value << " +- " << rise.error);
+    BOOST_TEST(std::abs(rise.value - first_rise) < 4 * rise.error);
+    BOOST_TEST(rise.error < 0.02 * first_rise);
+}
