@@ -4,11 +4,37 @@
 #include "prediction/contact.hpp"
 #include "state/ball.hpp"
 
+#include <cmath>
+#include <type_traits>
+
 namespace clack {
+
+/// a b + c, rounded once where the type can: correctly on every machine, in hardware or not.
+template <class Real> Real fused(Real a, Real b, Real c) {
+    if constexpr (std::is_floating_point_v<Real>)
+        return std::fma(a, b, c);
+    else
+        return a * b + c;
+}
+
+/// What dot(r, r) lost to rounding.
+template <class Real> Real square_rest(Vector3<Real> const& r) {
+    Real const xx = r[0] * r[0], yy = r[1] * r[1], zz = r[2] * r[2];
+    auto const lost = [](Real a, Real b) { // by a + b: D. E. Knuth's two-sum
+        Real const sum = a + b, second = sum - a;
+        return (a - (sum - second)) + (b - second);
+    };
+    Real const products = fused(r[0], r[0], -xx) + fused(r[1], r[1], -yy) + fused(r[2], r[2], -zz);
+    return products + lost(xx, yy) + lost(xx + yy, zz);
+}
 
 /// Two equal balls in contact exchange the components of their velocities along the line of their
 /// centres, as it is at contact: dividing by r.r rather than by d^2 keeps energy to rounding.
 /// Returns the momentum per unit mass given to j. `share` is 1 but for a mutant under test.
+///
+/// The quotient of approach and distance2 keeps its remainder. In contact distance2 takes but a few
+/// values about the diameter squared, by which quotients round up more often than down: without the
+/// remainder the energy of balls of diameter 1 rose by a tenth of a rounding a collision.
 ///
 /// Afterwards the pair must recede in the very arithmetic of the next prediction, or it would
 /// collide again and again without moving: where rounding left it approaching, the smallest
@@ -19,7 +45,11 @@ Vector3<Real> exchange_normal_velocities(Vector3<Real>& velocity_i, Vector3<Real
     Real const approach = dot<Real>(separation, velocity_j - velocity_i);
     if (!(approach < 0)) return Vector3<Real>::Zero();
     Real const distance2 = dot<Real>(separation, separation);
-    Vector3<Real> const kick = separation * (share * approach / distance2);
+    Real const ratio = share * approach / distance2;
+    Real const rest =
+        (fused(-ratio, distance2, share * approach) - ratio * square_rest(separation)) / distance2;
+    Vector3<Real> kick;
+    for (int d = 0; d < 3; ++d) kick[d] = fused(separation[d], ratio, separation[d] * rest);
     velocity_i += kick;
     velocity_j -= kick;
 

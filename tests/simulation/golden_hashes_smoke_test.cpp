@@ -1,0 +1,46 @@
+#include "scenes/scene.hpp"
+#include "simulation/engine.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+using namespace clack;
+
+namespace {
+
+/// Of the first collisions of each scene that ships: the same on every machine, by every compiler,
+/// at every optimisation. A new value here means that clack moves balls differently.
+std::map<std::string, std::uint64_t> const golden{
+    {"crystal", 0x0},  {"dense_fluid", 0x0},    {"dilute", 0x0},      {"gas", 0x0},
+    {"hot_ball", 0x0}, {"newtons_cradle", 0x0}, {"report_grid", 0x0}, {"two_balls", 0x0},
+};
+
+std::uint64_t hash_of(Scene const& scene, Method method) {
+    auto const engine = make_engine(scene.system, method, scene.precision, make_start(scene));
+    engine->hash_collisions();
+    engine->advance({.time = 1000, .ball_collisions = 3000});
+    return engine->hash();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(scenes_that_ship_have_their_hash) {
+    std::size_t seen = 0;
+    for (auto const& entry :
+         std::filesystem::directory_iterator(CLACK_SOURCE_DIR "/validation/scenes")) {
+        std::string const name = entry.path().stem();
+        Scene const scene = read_scene(entry.path());
+        std::uint64_t const hash = hash_of(scene, scene.method);
+        BOOST_TEST_CONTEXT(fmt::format("{{\"{}\", 0x{:016x}}}", name, hash)) {
+            BOOST_TEST_REQUIRE(golden.count(name) == 1u);
+            BOOST_TEST(golden.at(name) == hash);
+            BOOST_TEST(hash_of(scene, Method::heap) == hash);
+        }
+        ++seen;
+    }
+    BOOST_TEST(seen == golden.size());
+}

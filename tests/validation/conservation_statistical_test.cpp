@@ -1,0 +1,36 @@
+#include "tests/validation/mutants.hpp"
+#include "validation/conservation.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace clack;
+using namespace clack::validation;
+using namespace clack::validation::conservation;
+
+namespace {
+
+bool keeps_to_rounding(EngineMaker const& make, Boundary boundary) {
+    for (StatePoint const& point : state_points(Profile::quick)) {
+        if (point.boundary != boundary) continue;
+        System const system = point.scene(0).system;
+        auto const moments = measure(point, 1, make);
+        if (!std::all_of(moments.begin(), moments.end(),
+                         [&](Moment const& moment) { return holds(moment, system); }))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(true_engine_keeps_energy_momentum_and_distance) {
+    BOOST_TEST(keeps_to_rounding(make_true_engine, Boundary::walls));
+    BOOST_TEST(keeps_to_rounding(make_true_engine, Boundary::periodic));
+}
+
+BOOST_AUTO_TEST_CASE(impulse_wrong_by_a_ten_thousandth_is_caught) {
+    EngineMaker const mutant = mutants::make<PeriodicCube, mutants::WeakerImpulses>;
+    BOOST_TEST(!keeps_to_rounding(mutant, Boundary::periodic));
+}
