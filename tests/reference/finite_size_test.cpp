@@ -38,6 +38,12 @@ BOOST_AUTO_TEST_CASE(many_balls_have_the_infinite_fluids_compressibility) {
     BOOST_CHECK_THROW(collisional_compressibility(rho, 1), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(total_momentum_carries_no_pressure) {
+    // No collisions: N balls without momentum press as N - 1.
+    for (int const count : {2, 10, 1000})
+        BOOST_TEST(std::abs(periodic_compressibility(0, count) - (1 - 1.0 / count)) < 1e-15);
+}
+
 BOOST_AUTO_TEST_CASE(dilute_pair_correction_is_that_of_the_second_virial_coefficient) {
     // To first order Zc = B2 rho (N-1)/N: each ball meets N-1 others, not N.
     double const rho = 1e-5, b2 = 2 * std::numbers::pi / 3;

@@ -13,6 +13,7 @@ BOOST_AUTO_TEST_CASE(holm_adjusts_as_worked_by_hand) {
     std::vector<double> const adjusted = holm({0.02, 0.005, 0.04, 0.011});
     std::vector<double> const expected{0.04, 0.02, 0.04, 0.033};
     for (std::size_t k = 0; k < 4; ++k) BOOST_TEST(std::abs(adjusted[k] - expected[k]) < 1e-15);
+    BOOST_TEST(holm({0.03, 0.02}).at(0) == 0.04); // never smaller than that of a smaller one
     BOOST_TEST(holm({0.9, 0.6}).at(1) == 1);
     BOOST_TEST(holm({}).empty());
     BOOST_TEST(holm({0.03}).at(0) == 0.03);
