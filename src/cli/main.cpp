@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
     CLI::App app(description, "clack");
     app.set_version_flag("--version", "clack " + own_provenance().version + " (" +
                                           own_provenance().commit + ")");
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1); // none is told below, so that a misspelt one is named
     app.footer(footer);
     std::function<int()> chosen;
     RunOptions run;
@@ -152,6 +152,10 @@ int main(int argc, char** argv) {
         return app.exit(asked);
     } catch (CLI::ParseError const& error) {
         return fail(exit_mistake, std::string(error.what()) + "; see clack --help");
+    }
+    if (!chosen) {
+        return fail(exit_mistake,
+                    "no command: give run, resume, info, check or export; see clack --help");
     }
     return run_chosen(chosen);
 }

@@ -17,11 +17,7 @@ constexpr int bar_width = 24;
 
 std::string bar(double done) {
     auto const full = static_cast<int>(done * bar_width);
-    std::string text(bar_width + 2, '.');
-    text.replace(1, static_cast<std::size_t>(full), static_cast<std::size_t>(full), '#');
-    text.front() = '[';
-    text.back() = ']';
-    return text;
+    return fmt::format("[{:#>{}}{:.>{}}]", "", full, "", bar_width - full);
 }
 
 } // namespace

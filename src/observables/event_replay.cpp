@@ -156,10 +156,11 @@ void EventReplay::fly_to(Flight& flight, double time) {
     flight.time = time;
 }
 
-/// Each flight adds the rounding of a place and of a time; 64 of them are allowed for.
+/// Each flight adds the roundings of a place, of a time and of their product; eight are allowed,
+/// and they are added up as if all went one way (a twentieth of that was seen).
 double EventReplay::rounding_of_place(Flight const& flight) const {
     double const age = std::abs(frame_time_) + std::abs(flight.time) + epoch_length_;
-    double const one = 64 * unit_roundoff_ * (system_.side + fastest_ * age);
+    double const one = 8 * unit_roundoff_ * (system_.side + fastest_ * age);
     return one * static_cast<double>(1 + flight.collisions);
 }
 
