@@ -49,7 +49,6 @@ void remove_momentum(Eigen::Matrix3Xd& velocities) {
 
 /// Momentum and temperature as they are asked for.
 Eigen::Matrix3Xd settled(System const& system, double temperature, Eigen::Matrix3Xd velocities) {
-    if (temperature == 0) return Eigen::Matrix3Xd::Zero(3, velocities.cols());
     if (system.boundary == Boundary::periodic && system.count > 1) remove_momentum(velocities);
     velocities *= std::sqrt(temperature / temperature_of(system, velocities));
     return velocities;

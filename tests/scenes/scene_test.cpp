@@ -155,3 +155,14 @@ BOOST_AUTO_TEST_CASE(overrides_that_are_wrong_are_named) {
     BOOST_TEST(said("run.time=nan") ==
                "time = nan: must be a finite number, a time (--set run.time=nan)");
 }
+
+BOOST_AUTO_TEST_CASE(periodic_places_are_wrapped_and_others_keep_their_bits) {
+    auto const text = changed(changed(four_balls, "walls", "periodic"),
+                              "[[1, 1, 1], [3, 1, 1], [5, 1, 1], [7, 1, 1]]",
+                              "[[-1, 1, 1], [-1e-20, 4, 4], [10, 25, 0.1], [9.9, -10.5, 3]]");
+    auto const places = make_start(parse_scene(text, "scene.toml")).positions;
+    BOOST_TEST((places.col(0) == Eigen::Vector3d(9, 1, 1)));
+    BOOST_TEST((places.col(1) == Eigen::Vector3d(0, 4, 4)));
+    BOOST_TEST((places.col(2) == Eigen::Vector3d(0, 5, 0.1)));
+    BOOST_TEST((places.col(3) == Eigen::Vector3d(9.9, 9.5, 3)));
+}
