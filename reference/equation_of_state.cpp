@@ -49,10 +49,11 @@ Taylor modified_klm_of_x(double const x) {
 }
 
 void require_fitted_range(double const packing_fraction) {
-    if (!(packing_fraction >= 0 && packing_fraction <= packing_fraction_max))
+    if (!(packing_fraction >= 0 && packing_fraction <= packing_fraction_max)) {
         throw std::invalid_argument(
             fmt::format("packing_fraction = {}: the fluid's equation of state holds in [0, {}]",
                         packing_fraction, packing_fraction_max));
+    }
 }
 
 } // namespace
@@ -77,9 +78,10 @@ Pressure modified_klm_pressure(double const number_density) {
 }
 
 double carnahan_starling(double const packing_fraction) {
-    if (!(packing_fraction >= 0 && packing_fraction < 1))
+    if (!(packing_fraction >= 0 && packing_fraction < 1)) {
         throw std::invalid_argument(
             fmt::format("packing_fraction = {}: must lie in [0, 1)", packing_fraction));
+    }
     double const eta = packing_fraction;
     return (1 + eta + eta * eta - eta * eta * eta) / ((1 - eta) * (1 - eta) * (1 - eta));
 }

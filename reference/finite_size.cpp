@@ -25,9 +25,10 @@ double periodic_compressibility(double const number_density, std::int64_t const 
 }
 
 double energy_shell_factor(double const degrees_of_freedom) {
-    if (!(degrees_of_freedom > 0))
+    if (!(degrees_of_freedom > 0)) {
         throw std::invalid_argument(
             fmt::format("degrees_of_freedom = {}: must be positive", degrees_of_freedom));
+    }
     // The ratio itself: a difference of two logarithms would lose digits as D grows.
     return std::sqrt(degrees_of_freedom / 2) *
            boost::math::tgamma_delta_ratio(degrees_of_freedom / 2, 0.5);

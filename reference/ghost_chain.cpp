@@ -10,17 +10,19 @@ namespace clack::reference {
 GhostChain::GhostChain(double const side, double const diameter,
                        std::vector<double> const& positions, std::vector<double> const& velocities)
     : diameter_(diameter) {
-    if (positions.size() != velocities.size() || positions.empty())
+    if (positions.size() != velocities.size() || positions.empty()) {
         throw std::invalid_argument(fmt::format("{} positions, {} velocities: want one of each a "
                                                 "ball, and a ball",
                                                 positions.size(), velocities.size()));
+    }
     double const free = side - diameter * static_cast<double>(positions.size());
     double left = 0;
     for (std::size_t i = 0; i < positions.size(); ++i) {
         double const place = positions[i] - (static_cast<double>(i) + 0.5) * diameter;
-        if (place < left)
+        if (place < left) {
             throw std::invalid_argument(
                 fmt::format("positions[{}] = {}: overlaps its left neighbour", i, positions[i]));
+        }
         ghosts_.emplace_back(free, place, velocities[i]);
         left = place;
     }
@@ -51,13 +53,14 @@ std::vector<double> GhostChain::velocities(double const time) const {
 std::int64_t GhostChain::ball_collisions(double const time) const {
     // Two ghosts meet where their unfolded places are equal, or opposite, modulo the period.
     std::int64_t passed = 0;
-    for (std::size_t i = 0; i < ghosts_.size(); ++i)
+    for (std::size_t i = 0; i < ghosts_.size(); ++i) {
         for (std::size_t j = i + 1; j < ghosts_.size(); ++j) {
             TriangleWave const &a = ghosts_[i], &b = ghosts_[j];
             long double const period = 2 * a.length_;
             passed += marks_passed(b.start_ - a.start_, (b.velocity_ - a.velocity_) * time, period);
             passed += marks_passed(b.start_ + a.start_, (b.velocity_ + a.velocity_) * time, period);
         }
+    }
     return passed;
 }
 

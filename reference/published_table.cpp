@@ -36,15 +36,18 @@ PublishedTable::PublishedTable(std::filesystem::path const& path) {
             columns_.resize(names_.size());
             continue;
         }
-        if (cells.size() != names_.size())
+        if (cells.size() != names_.size()) {
             throw std::runtime_error(fmt::format("{}:{}: {} cells under {} columns", path.string(),
                                                  line_number, cells.size(), names_.size()));
-        for (std::size_t k = 0; k < cells.size(); ++k) try {
+        }
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            try {
                 columns_[k].push_back(std::stod(cells[k]));
             } catch (std::logic_error const&) {
                 throw std::runtime_error(fmt::format("{}:{}: {} = {}: not a number", path.string(),
                                                      line_number, names_[k], cells[k]));
             }
+        }
         ++row_count_;
     }
 }

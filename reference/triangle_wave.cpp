@@ -9,9 +9,10 @@ namespace clack::reference {
 
 TriangleWave::TriangleWave(double const length, double const start, double const velocity)
     : length_(length), start_(start), velocity_(velocity) {
-    if (!(length > 0 && start >= 0 && start <= length))
+    if (!(length > 0 && start >= 0 && start <= length)) {
         throw std::invalid_argument(
             fmt::format("start = {}: must lie between the mirrors at 0 and {}", start, length));
+    }
 }
 
 long double TriangleWave::unfolded(double const time) const { return start_ + velocity_ * time; }

@@ -13,9 +13,10 @@ namespace clack::reference {
 namespace {
 
 void require_unit_interval(double const x) {
-    if (!(x >= 0 && x <= 1))
+    if (!(x >= 0 && x <= 1)) {
         throw std::invalid_argument(
             fmt::format("x = {}: the diameter over the accessible side must lie in [0, 1]", x));
+    }
 }
 
 /// d ln(1/Q) / d ln(diameter), Q being the volume free to the pair: x p' / (1 - p).

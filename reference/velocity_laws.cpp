@@ -27,12 +27,14 @@ VelocityLaw::VelocityLaw(System const& system, double const kinetic_energy)
     : degrees_of_freedom_(system.degrees_of_freedom()),
       top_speed_(std::sqrt(top_square_speed(system, kinetic_energy))) {
     std::int64_t const least = system.boundary == Boundary::walls ? 2 : 3;
-    if (system.count < least)
+    if (system.count < least) {
         throw std::invalid_argument(fmt::format(
             "count = {}: the velocity law takes at least {} balls", system.count, least));
-    if (!(kinetic_energy > 0))
+    }
+    if (!(kinetic_energy > 0)) {
         throw std::invalid_argument(
             fmt::format("kinetic_energy = {}: must be positive", kinetic_energy));
+    }
 }
 
 double VelocityLaw::speed_density(double const speed) const {
@@ -81,9 +83,10 @@ double VelocityLaw::fourth_moment_ratio() const {
 
 MaxwellBoltzmann::MaxwellBoltzmann(double const temperature, double const mass)
     : thermal_speed_(std::sqrt(temperature / mass)) {
-    if (!(temperature > 0 && mass > 0))
+    if (!(temperature > 0 && mass > 0)) {
         throw std::invalid_argument(
             fmt::format("temperature = {}, mass = {}: must be positive", temperature, mass));
+    }
 }
 
 double MaxwellBoltzmann::speed_density(double const speed) const {

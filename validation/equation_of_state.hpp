@@ -36,10 +36,11 @@ struct StatePoint {
 /// The fluid from dilute to just below freezing (packing fraction 0.492). Few balls where that is
 /// safe: there the 1/N terms are large enough to be tested too.
 inline std::vector<StatePoint> state_points(Profile const profile) {
-    if (profile == Profile::quick)
+    if (profile == Profile::quick) {
         return {{0.05, 500, 30, 900, 16},   {0.10, 108, 30, 4000, 16}, {0.15, 500, 30, 900, 16},
                 {0.20, 108, 30, 4000, 16},  {0.30, 500, 50, 1000, 16}, {0.40, 500, 100, 2500, 16},
                 {0.45, 864, 200, 1800, 16}, {0.49, 864, 300, 2000, 16}};
+    }
     std::vector<StatePoint> points;
     for (double const eta : {0.05, 0.10, 0.15, 0.20, 0.25, 0.30, 0.35, 0.40, 0.45, 0.47, 0.49}) {
         bool const few = eta == 0.10 || eta == 0.20;

@@ -153,10 +153,11 @@ Csv csv_of(Course const& course) {
     Csv csv({"collisions_per_ball", "fourth_moment", "fourth_moment_error", "first_rise",
              "fourth_moment_theory"});
     csv.row({cell(0), cell(1), cell(0), cell(1), cell(end)});
-    for (std::size_t look = 0; look < course.moments.size(); ++look)
+    for (std::size_t look = 0; look < course.moments.size(); ++look) {
         csv.row({cell(course.collisions[look]), cell(course.moments[look].value),
                  cell(course.moments[look].error), cell(1 + first_rise * course.collisions[look]),
                  cell(end)});
+    }
     return csv;
 }
 

@@ -70,12 +70,14 @@ void Campaign::recall(std::string const& header) {
     std::istringstream file(contents(path_));
     std::string kept = header + '\n';
     std::string text;
-    if (std::getline(file, text) && text == header)
-        while (std::getline(file, text))
+    if (std::getline(file, text) && text == header) {
+        while (std::getline(file, text)) {
             if (auto const line = read(text)) {
                 known_[{line->state_point, line->replicate}] = line->values;
                 kept += text + '\n';
             }
+        }
+    }
     // Written anew, so that the next line does not run on from one cut short, and moved into place,
     // so that an interruption here loses nothing either.
     write_file(path_, kept);
@@ -92,10 +94,11 @@ std::vector<Measurement> Campaign::replicates(std::string const& state_point, in
     int missing = 0;
     for (int replicate = 0; replicate < count; ++replicate)
         missing += !known_.contains({state_point, replicate});
-    if (missing > 0)
+    if (missing > 0) {
         std::cout << fmt::format("{}: {}: measuring {} of {} replicates\n", stem_, state_point,
                                  missing, count)
                   << std::flush;
+    }
 
     std::vector<Measurement> all;
     for (int replicate = 0; replicate < count; ++replicate) {

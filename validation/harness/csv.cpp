@@ -10,13 +10,16 @@ namespace clack::validation {
 std::string cell(double const value) { return fmt::format("{}", value); }
 
 void Csv::row(std::vector<std::string> cells) {
-    if (cells.size() != columns_.size())
+    if (cells.size() != columns_.size()) {
         throw std::invalid_argument(
             fmt::format("{} cells for {} columns", cells.size(), columns_.size()));
-    for (std::string const& text : cells)
-        if (text.find_first_of(",\n") != std::string::npos)
+    }
+    for (std::string const& text : cells) {
+        if (text.find_first_of(",\n") != std::string::npos) {
             throw std::invalid_argument(
                 fmt::format("cell = {}: holds a comma or a line end", text));
+        }
+    }
     rows_.push_back(std::move(cells));
 }
 

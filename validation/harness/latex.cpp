@@ -48,9 +48,10 @@ std::string significant(double const value, int const digits) {
 
 void Macros::define(std::string const& name, std::string const& text) {
     std::string const whole = prefix_ + name;
-    if (whole.empty() || !std::all_of(whole.begin(), whole.end(), is_letter))
+    if (whole.empty() || !std::all_of(whole.begin(), whole.end(), is_letter)) {
         throw std::invalid_argument(
             fmt::format("macro = {}: TeX's command names are letters only", whole));
+    }
     for (auto const& [known, meaning] : macros_)
         if (known == whole) throw std::invalid_argument(fmt::format("macro = {}: twice", whole));
     macros_.emplace_back(whole, text);

@@ -33,9 +33,10 @@ std::optional<Options> parse_options(int const argc, char const* const* const ar
     options.directory = directory;
     std::error_code failure;
     std::filesystem::create_directories(options.directory, failure);
-    if (failure)
+    if (failure) {
         throw InputError(
             fmt::format("--output = {}: cannot be made: {}", directory, failure.message()));
+    }
     return options;
 }
 

@@ -49,11 +49,11 @@ std::vector<std::string> provenance(std::string const& stem, std::string const& 
     return {"experiment: " + stem,
             "question: " + question,
             fmt::format("profile: {}", name_of(options.profile)),
-            "version: " CLACK_VERSION,
+            fmt::format("version: {}", CLACK_VERSION),
             "commit: " + commit(),
             "program: " + program_hash(),
             "compiler: " + compiler(),
-            "flags: " CLACK_FLAGS,
+            fmt::format("flags: {}", CLACK_FLAGS),
             "machine: " + processor(),
             "seeds: hashed from experiment, state point and replicate; each stands in " + stem +
                 ".replicates"};

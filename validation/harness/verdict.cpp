@@ -16,9 +16,10 @@ namespace {
 Judgement tested(Comparison const& comparison) {
     Estimate const& measured = comparison.measured;
     double const error = std::hypot(measured.error, comparison.reference_error);
-    if (!(comparison.margin > 0 && error > 0))
+    if (!(comparison.margin > 0 && error > 0)) {
         throw std::invalid_argument(fmt::format("{}: margin = {}, error = {}: must be positive",
                                                 comparison.name, comparison.margin, error));
+    }
     double const difference = measured.value - comparison.reference;
     double const size = std::abs(difference);
     double const freedom = measured.degrees_of_freedom;
@@ -57,16 +58,18 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
     for (std::size_t k = 0; k < judgements.size(); ++k) {
         Judgement& judgement = judgements[k];
         judgement.p_differs = adjusted[k];
-        if (judgement.p_differs < risks.false_alarm)
+        if (judgement.p_differs < risks.false_alarm) {
             judgement.verdict = Verdict::differs;
-        else if (judgement.p_agrees < risks.false_agreement)
+        } else if (judgement.p_agrees < risks.false_agreement) {
             judgement.verdict = Verdict::agrees;
+        }
     }
     return judgements;
 }
 
 std::vector<Verdict> judge(std::vector<GoodnessOfFit> const& tests, double const false_alarm) {
     std::vector<double> p_values;
+    p_values.reserve(tests.size());
     for (GoodnessOfFit const& test : tests) p_values.push_back(test.p_value);
     std::vector<Verdict> verdicts;
     for (double const p : holm(p_values))
@@ -84,6 +87,7 @@ Verdict together(std::vector<Verdict> const& verdicts) {
 
 Verdict together(std::vector<Judgement> const& judgements) {
     std::vector<Verdict> verdicts;
+    verdicts.reserve(judgements.size());
     for (Judgement const& judgement : judgements) verdicts.push_back(judgement.verdict);
     return together(verdicts);
 }
