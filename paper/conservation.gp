@@ -24,7 +24,7 @@ set format x ''
 set yrange [1e-17:1e-12]
 set ylabel '|{/:Italic E}/{/:Italic E}_0 − 1|'
 set key top left maxrows 3 samplen 2 font ',7'
-eval "plot file using 4:7 with lines ls 1 title 'bound', " . runs(5)
+eval "plot file using " . at('walls', 0.05, 7) . " with lines ls 1 title 'bound', " . runs(5)
 
 set tmargin at screen 0.54; set bmargin at screen 0.12
 set format x '10^{%T}'
