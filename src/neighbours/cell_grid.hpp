@@ -89,7 +89,7 @@ public:
             Real const when = wait > 0 ? now + wait : now;
             if (when < first) {
                 first = when;
-                exit_[static_cast<std::size_t>(ball)] = static_cast<std::int8_t>(d);
+                exit_[static_cast<std::size_t>(ball)] = static_cast<std::uint8_t>(d);
             }
         }
         return first;
@@ -99,7 +99,7 @@ public:
     /// new face can hold balls that it could not touch before.
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                                           Real) {
-        auto const d = static_cast<std::size_t>(exit_[static_cast<std::size_t>(ball)]);
+        std::size_t const d = exit_[static_cast<std::size_t>(ball)];
         Real const v = balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(d)];
         std::int32_t const direction = v > 0 ? 1 : -1;
         CellBins::Cell cell = bins_.cell_of(ball);
@@ -127,8 +127,8 @@ private:
     Container cube_;
     CellLattice<Real> lattice_;
     CellBins bins_;
-    std::vector<std::int8_t> exit_; // the axis along which the ball will leave its cell
-    BallBuffer found_;              // reused
+    std::vector<std::uint8_t> exit_; // the axis along which the ball will leave its cell
+    BallBuffer found_;               // reused
 };
 
 } // namespace clack

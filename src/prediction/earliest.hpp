@@ -39,9 +39,10 @@ Real contact_time(Scenery<Real, Container, Model> const& scenery, std::int32_t i
             Real best = std::numeric_limits<Real>::quiet_NaN();
             for (int image = 0; image < 27; ++image) {
                 Pair<Real> pair = nearest;
-                pair.x += static_cast<Real>(image % 3 - 1) * scenery.cube.side;
-                pair.y += static_cast<Real>(image / 3 % 3 - 1) * scenery.cube.side;
-                pair.z += static_cast<Real>(image / 9 - 1) * scenery.cube.side;
+                int const x = image % 3 - 1, y = image / 3 % 3 - 1, z = image / 9 - 1;
+                pair.x += static_cast<Real>(x) * scenery.cube.side;
+                pair.y += static_cast<Real>(y) * scenery.cube.side;
+                pair.z += static_cast<Real>(z) * scenery.cube.side;
                 Real const time = scenery.model.contact_time(pair);
                 if (!(best <= time) && time == time) best = time;
             }
@@ -101,10 +102,11 @@ pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& 
                  time};
     if constexpr (Container::boundary == Boundary::periodic) {
         auto const nearest = [&](V distance, V velocity) {
-            if constexpr (flight == Flight::begins_now)
+            if constexpr (flight == Flight::begins_now) {
                 return distance - cube.image(distance) * cube.side;
-            else
+            } else {
                 return distance - cube.image(distance + velocity * (now - time)) * cube.side;
+            }
         };
         pair.x = nearest(pair.x, pair.vx);
         pair.y = nearest(pair.y, pair.vy);

@@ -62,7 +62,7 @@ inline BallLanes<Real> load_balls(Ball<Real> const* balls, std::int32_t const* c
     using V = Lanes<Real>;
     V row[lane_count];
     for (int lane = 0; lane < lane_count; ++lane) {
-        std::memcpy(&row[lane], &balls[chosen[lane]], sizeof(V));
+        std::memcpy(&row[lane], static_cast<void const*>(&balls[chosen[lane]]), sizeof(V));
     }
     // Three rounds of pairwise exchange transpose the 8 x 8 block.
     V a[8], b[8];

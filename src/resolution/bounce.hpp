@@ -11,10 +11,11 @@ namespace clack {
 
 /// a b + c, rounded once where the type can: correctly on every machine, in hardware or not.
 template <class Real> Real fused(Real a, Real b, Real c) {
-    if constexpr (std::is_floating_point_v<Real>)
+    if constexpr (std::is_floating_point_v<Real>) {
         return std::fma(a, b, c);
-    else
+    } else {
         return a * b + c;
+    }
 }
 
 /// What dot(r, r) lost to rounding.

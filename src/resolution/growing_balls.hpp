@@ -78,7 +78,7 @@ template <class Real> struct GrowingBalls {
         Real const closing = rate - dot<Real>(normal, velocity_j - velocity_i);
         if (!(closing > 0)) return Vector3<Real>::Zero();
         // A little more than the exact kick, so that rounding cannot leave the pair closing.
-        Vector3<Real> const kick = normal * (closing + rate / (1 << 20));
+        Vector3<Real> kick = normal * (closing + rate / (1 << 20));
         velocity_i -= kick;
         velocity_j += kick;
         return kick;

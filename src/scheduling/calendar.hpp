@@ -127,10 +127,11 @@ private:
 
     void unlink(std::int32_t ball) {
         auto const b = static_cast<std::size_t>(ball);
-        if (previous_[b] == none)
+        if (previous_[b] == none) {
             head_[static_cast<std::size_t>(bucket_[b])] = next_[b];
-        else
+        } else {
             next_[static_cast<std::size_t>(previous_[b])] = next_[b];
+        }
         if (next_[b] != none) previous_[static_cast<std::size_t>(next_[b])] = previous_[b];
         bucket_[b] = unlisted;
     }

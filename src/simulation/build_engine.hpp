@@ -49,9 +49,10 @@ std::unique_ptr<Engine> assemble(System const& system, Origin const& origin,
                                  ModelDescription const& model) {
     using State = BallState<Real, Container<Real>>;
     using Built = EngineOf<Simulation<Real, Container, Search, Queue>>;
-    if (origin.start)
+    if (origin.start) {
         return std::make_unique<Built>(
             State(system, *origin.start, epoch_length(system, speed_of(*origin.start))), model);
+    }
     auto engine = std::make_unique<Built>(State(system, *origin.checkpoint), model);
     if (origin.checkpoint->hash != 0) engine->resume_hash(origin.checkpoint->hash);
     return engine;
@@ -62,10 +63,11 @@ std::unique_ptr<Engine> choose(System const& system, Origin const& origin,
                                ModelChoice const& choice, ModelDescription const& model) {
     if (choice.queue == QueueKind::collision_table)
         return assemble<Real, Container, EveryPair, CollisionTable>(system, origin, model);
-    if (choice.queue == QueueKind::binary_heap)
+    if (choice.queue == QueueKind::binary_heap) {
         return choice.search == SearchKind::every_pair
                    ? assemble<Real, Container, EveryPair, BinaryHeap>(system, origin, model)
                    : assemble<Real, Container, CellGrid, BinaryHeap>(system, origin, model);
+    }
     switch (choice.search) {
     case SearchKind::every_pair:
         return assemble<Real, Container, EveryPair, Calendar>(system, origin, model);

@@ -45,11 +45,11 @@ std::size_t expected_bytes(System const& system, Method method, Precision precis
     ModelChoice const choice = choose_model(system, method, precision);
     std::size_t const number = number_bytes(precision);
     // Record, next event, start and snapshot; then what the search and the queue hold.
-    std::size_t per_ball = 8 * number + 3 * number + 4 + 2 * 6 * sizeof(double);
+    std::size_t per_ball = 8 * number + 3 * number + 4 + 12 * sizeof(double);
     if (system.boundary == Boundary::periodic) per_ball += 12;
-    if (choice.search != SearchKind::every_pair) per_ball += 32 * 3 / 2 + 13;
-    if (choice.search == SearchKind::neighbour_list) per_ball += 3 * number + 4 + 4 * 40;
-    if (choice.queue != QueueKind::collision_table) per_ball += 12 + 2 * 4;
+    if (choice.search != SearchKind::every_pair) per_ball += 61;
+    if (choice.search == SearchKind::neighbour_list) per_ball += 3 * number + 164;
+    if (choice.queue != QueueKind::collision_table) per_ball += 20;
     constexpr std::size_t program = 32u << 20;
     return program + per_ball * static_cast<std::size_t>(system.count);
 }

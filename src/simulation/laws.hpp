@@ -29,14 +29,16 @@ public:
             standstill_ = 0;
             return;
         }
-        if (time < clock.offset)
+        if (time < clock.offset) {
             throw LawBroken(fmt::format("time ran backwards by {:.3g} at t = {:.17g}",
                                         static_cast<double>(clock.offset - time), clock.time()));
-        if (++standstill_ > standstill_max_)
+        }
+        if (++standstill_ > standstill_max_) {
             throw LawBroken(
                 fmt::format("{} events at t = {:.17g} and no end: the balls are jammed; "
                             "lower the packing fraction",
                             standstill_, clock.time()));
+        }
     }
 
     /// Two balls that collide are a diameter apart, to the rounding of places and times.

@@ -34,9 +34,10 @@ char const* name_of(QueueKind queue) {
 
 ModelChoice fast(System const& system) {
     using List = NeighbourList<double, PeriodicCube<double>>;
-    if (system.packing_fraction() >= list_packing_min && List::fits(system))
+    if (system.packing_fraction() >= list_packing_min && List::fits(system)) {
         return {SearchKind::neighbour_list, QueueKind::calendar,
                 "dense: lists of near balls live long"};
+    }
     return {SearchKind::cell_grid, QueueKind::calendar, "dilute: cells cost less than lists"};
 }
 
@@ -45,9 +46,10 @@ ModelChoice fast(System const& system) {
 ModelChoice choose_model(System const& system, Method method, Precision) {
     if (method == Method::table)
         return {SearchKind::every_pair, QueueKind::collision_table, "the report's method"};
-    if (method == Method::automatic && system.count <= every_pair_max)
+    if (method == Method::automatic && system.count <= every_pair_max) {
         return {SearchKind::every_pair, QueueKind::collision_table,
                 "so few balls that checking all pairs is quickest"};
+    }
     ModelChoice choice =
         method == Method::heap
             ? ModelChoice{SearchKind::cell_grid, QueueKind::binary_heap, "the textbook method"}

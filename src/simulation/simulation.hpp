@@ -122,9 +122,10 @@ private:
         tallies_.virial += static_cast<double>(dot<Real>(separation, impulse));
         double const overlap = static_cast<double>((diameter2 - distance2) / (2 * diameter2));
         if (overlap > tallies_.deepest_overlap) tallies_.deepest_overlap = overlap;
-        if constexpr (!std::is_same_v<Observer, NoObserver>)
+        if constexpr (!std::is_same_v<Observer, NoObserver>) {
             observe(collision(CollisionKind::ball, i, next_.number(j), state_[j].velocity,
                               separation, impulse));
+        }
         predict(i);
         predict(j);
         if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(i, j);
@@ -143,9 +144,10 @@ private:
             impulse[d] = static_cast<Real>(state_.system.mass) * (before - after);
             ++tallies_.wall_collisions;
             tallies_.wall_impulse += towards * static_cast<double>(impulse[d]);
-            if constexpr (!std::is_same_v<Observer, NoObserver>)
+            if constexpr (!std::is_same_v<Observer, NoObserver>) {
                 observe(collision(CollisionKind::wall, ball, wall, Vector3<Real>::Zero(),
                                   Vector3<Real>::Zero(), impulse));
+            }
         }
         predict(ball);
         if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(ball, ball);

@@ -98,10 +98,11 @@ BallState<Real, Container>::BallState(System const& of, Start const& start, doub
         ball.velocity = start.velocities.col(i).cast<Real>();
         ball.time = 0;
         // A place that the floating type rounds across the boundary belongs on it.
-        if constexpr (periodic)
+        if constexpr (periodic) {
             cube.wrap(ball.point);
-        else
+        } else {
             ball.point = ball.point.cwiseMax(cube.low).cwiseMin(cube.high);
+        }
     }
 }
 
@@ -121,9 +122,10 @@ BallState<Real, Container>::BallState(System const& of, Checkpoint const& checkp
             ball.velocity[d] = take_limbs<Real>(checkpoint.records, position);
         ball.time = take_limbs<Real>(checkpoint.records, position);
         if constexpr (periodic) {
-            for (int d = 0; d < 3; ++d)
+            for (int d = 0; d < 3; ++d) {
                 images[static_cast<std::size_t>(i)][static_cast<std::size_t>(d)] =
                     checkpoint.images(d, i);
+            }
         }
     }
 }
@@ -140,9 +142,10 @@ template <class Real, class Container> Snapshot BallState<Real, Container>::snap
         Vector3<Real> place = (*this)[i].position(clock.offset);
         if constexpr (periodic) {
             auto const laps = cube.wrap(place);
-            for (std::size_t d = 0; d < 3; ++d)
+            for (std::size_t d = 0; d < 3; ++d) {
                 shot.images(static_cast<Eigen::Index>(d), number) =
                     images[static_cast<std::size_t>(i)][d] + laps[d];
+            }
         }
         shot.positions.col(number) = place.template cast<double>();
         shot.velocities.col(number) = (*this)[i].velocity.template cast<double>();
