@@ -40,9 +40,9 @@ int export_command(ExportOptions const& options) {
         write_frames(std::cout, file, "standard output");
         return exit_done;
     }
-    auto const output = options.output.empty()
-                            ? std::filesystem::path(options.trajectory).stem().string() + ".xyz"
-                            : options.output;
+    auto const output = real_path(
+        options.output.empty() ? std::filesystem::path(options.trajectory).stem().string() + ".xyz"
+                               : options.output);
     require_writable(output, Replacing::any_file);
     if (std::filesystem::exists(output) &&
         std::filesystem::equivalent(output, options.trajectory)) {

@@ -3,6 +3,7 @@
 #include "cli/schedule.hpp"
 #include "io/trajectory_reader.hpp"
 #include "simulation/model_choice.hpp"
+#include "state/errors.hpp"
 
 #include <fmt/format.h>
 
@@ -172,7 +173,12 @@ int trajectory_info(std::string const& path) {
 } // namespace
 
 int info_command(std::string const& path, std::vector<std::string> const& overrides) {
-    return is_hdf5(path) ? trajectory_info(path) : scene_info(path, overrides);
+    if (!is_hdf5(path)) return scene_info(path, overrides);
+    if (!overrides.empty()) {
+        throw InputError("--set " + overrides.front() + ": " + path +
+                         " is a trajectory, and only a scene can be set");
+    }
+    return trajectory_info(path);
 }
 
 } // namespace clack

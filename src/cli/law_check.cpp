@@ -185,7 +185,7 @@ std::vector<Verdict> check_laws(TrajectoryReader const& file) {
                                        "resume it first");
     }
     auto const& system = file.header().system;
-    double const epoch_length = file.resume_point().engine.epoch_length;
+    double const epoch_length = file.header().epoch_length;
     double const roundoff = unit_roundoff_of(file);
     FrameLaws frames(system, epoch_length, roundoff);
     std::optional<EventLaws> events;

@@ -2,7 +2,6 @@
 
 #include "cli/interrupt.hpp"
 #include "io/file_errors.hpp"
-#include "state/real.hpp"
 
 #include <fmt/format.h>
 
@@ -10,28 +9,15 @@
 
 namespace clack {
 
-namespace {
-
-int limbs_of(Precision precision) {
-    switch (precision) {
-    case Precision::extended:
-        return limb_count<long double>;
-    case Precision::quadruple:
-        return limb_count<quad>;
-    default:
-        return 1;
-    }
-}
-
-} // namespace
-
 TrajectoryHeader header_of(Scene const& scene, Engine const& engine) {
     TrajectoryHeader header;
     header.scene_text = scene.text;
     header.scene_source = scene.source;
     header.system = engine.system();
     header.events = scene.events;
-    header.limbs = limbs_of(scene.precision);
+    auto const checkpoint = engine.checkpoint();
+    header.limbs = checkpoint.limbs;
+    header.epoch_length = checkpoint.epoch_length;
     header.seed = scene.seed;
     header.model = engine.model();
     return header;

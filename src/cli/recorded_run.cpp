@@ -151,8 +151,7 @@ void RecordedRun::finish() {
 }
 
 bool RecordedRun::frame_stands_here() const {
-    return last_frame_time_ >= 0 &&
-           same_moment(last_frame_time_, engine_.time(), scene_.frame_interval * 1e-3);
+    return last_frame_time_ >= 0 && schedule_.same_moment(last_frame_time_, engine_.time());
 }
 
 void RecordedRun::add_frame() {

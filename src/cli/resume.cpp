@@ -56,13 +56,19 @@ TrajectoryHeader resumed_header(TrajectoryHeader const& old, Scene const& scene,
     return header;
 }
 
-/// Whether there is anything left to do. Throws InputError when a new goal of an unfinished run is
-/// behind it.
+/// Whether there is nothing left to do, which it says. Throws InputError when a new goal of an
+/// unfinished run is behind it.
 bool is_over(Schedule const& schedule, Phase phase, Engine const& engine, Scene const& scene,
              std::string const& path) {
     if (phase == Phase::equilibrating) return false;
     if (!schedule.is_reached(engine.time(), engine.tallies().ball_collisions)) return false;
-    if (phase == Phase::finished) return true;
+    if (phase == Phase::finished) {
+        fmt::print(stderr,
+                   "clack: {} is finished; to go on, set a larger goal, as in --set "
+                   "run.time={:.6g}\n",
+                   path, 2 * engine.time());
+        return true;
+    }
     throw InputError(fmt::format("{}: the run is at t = {:.10g} with {} collisions, at or beyond "
                                  "the goal that was set; set a larger one ({})",
                                  path, engine.time(), engine.tallies().ball_collisions,
@@ -73,30 +79,29 @@ bool is_over(Schedule const& schedule, Phase phase, Engine const& engine, Scene 
 
 int resume_command(ResumeOptions const& options) {
     catch_interrupts();
-    auto const& path = options.trajectory;
+    auto const path = real_path(options.trajectory);
     std::optional<TrajectoryReader> file(std::in_place, path);
     require_writable(path);
     WriterLock const nobody_else(path);
-    auto const header = file->header();
-    auto const scene = resumed_scene(header, options.overrides);
-    auto const before = resumed_scene(header, {});
+    auto const scene = resumed_scene(file->header(), options.overrides);
+    auto const before = resumed_scene(file->header(), {});
     require_memory(scene);
     auto point = file->resume_point();
     auto samples = file->samples(point.samples);
     auto const engine = make_engine(scene.system, scene.method, scene.precision, point.engine);
 
     Schedule const schedule(scene);
-    if (is_over(schedule, point.phase, *engine, scene, path)) {
-        fmt::print(
-            stderr,
-            "clack: {} is finished; to go on, set a larger goal, as in --set run.time={:.6g}\n",
-            path, 2 * engine->time());
+    bool const over = is_over(schedule, point.phase, *engine, scene, path);
+    if (over && !file->left_open()) {
         print_summary(summarize(scene, *engine, samples, point.cpu_seconds), options.form,
                       options.hash);
         return exit_done;
     }
-    if (point.phase != Phase::equilibrating) schedule.extend(Schedule(before), point, samples);
-    TrajectoryWriter writer(path, resumed_header(header, scene, *engine));
+    // A finished file whose writer was killed before closing it is only written anew.
+    if (!over && point.phase != Phase::equilibrating) {
+        schedule.extend(Schedule(before), point, samples);
+    }
+    TrajectoryWriter writer(path, resumed_header(file->header(), scene, *engine));
     writer.copy_from(*file, point, samples);
     file.reset();
 

@@ -23,9 +23,9 @@ std::unique_ptr<Engine> start_engine(Scene const& scene) {
 int run_command(RunOptions const& options) {
     catch_interrupts();
     auto const scene = read_scene(options.scene, options.overrides);
-    auto const output = options.output.empty()
-                            ? std::filesystem::path(options.scene).stem().string() + ".h5"
-                            : options.output;
+    auto const output = real_path(options.output.empty()
+                                      ? std::filesystem::path(options.scene).stem().string() + ".h5"
+                                      : options.output);
     require_memory(scene);
     require_writable(output);
     auto const engine = start_engine(scene);

@@ -1,5 +1,7 @@
 #include "cli/schedule.hpp"
 
+#include "state/real.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,13 +20,12 @@ std::uint64_t collisions_of(double per_ball, std::int64_t count) {
 
 } // namespace
 
-bool same_moment(double a, double b, double interval) {
-    return std::abs(a - b) <= 1e-6 * interval; // a run in float knows no better
-}
-
 Schedule::Schedule(Scene const& scene)
     : equilibration_(collisions_of(scene.equilibrate, scene.system.count)),
-      frame_interval_(scene.frame_interval) {
+      frame_interval_(scene.frame_interval),
+      rounding_(4 * (scene.precision == Precision::single_
+                         ? static_cast<double>(unit_roundoff<float>)
+                         : unit_roundoff<double>)) {
     if (scene.time) end_time_ = *scene.time;
     if (scene.collisions) end_collisions_ = *scene.collisions;
     if (scene.collisions_per_ball) {
@@ -66,8 +67,12 @@ bool Schedule::sample_is_due(ResumePoint const& point, Goal const& goal, Stop st
 }
 
 bool Schedule::is_reached(double time, std::uint64_t ball_collisions) const {
-    return counts_time() ? time >= end_time_ || same_moment(time, end_time_, pace_)
+    return counts_time() ? time >= end_time_ || same_moment(time, end_time_)
                          : ball_collisions >= end_collisions_;
+}
+
+bool Schedule::same_moment(double a, double b) const {
+    return std::abs(a - b) <= rounding_ * std::max(std::abs(a), std::abs(b));
 }
 
 double Schedule::progress(double time, std::uint64_t ball_collisions) const {
@@ -80,7 +85,7 @@ double Schedule::progress(double time, std::uint64_t ball_collisions) const {
 bool Schedule::is_on_pace(Sample const& sample) const {
     double const at =
         counts_time() ? sample.time : static_cast<double>(sample.tallies.ball_collisions);
-    return same_moment(std::round(at / pace_) * pace_, at, pace_);
+    return same_moment(std::round(at / pace_) * pace_, at);
 }
 
 void Schedule::extend(Schedule const& old, ResumePoint& point, std::vector<Sample>& samples) const {
@@ -97,7 +102,8 @@ void Schedule::extend(Schedule const& old, ResumePoint& point, std::vector<Sampl
                         point.engine.offset.front();
     double const at = counts_time() ? time : static_cast<double>(tallies.ball_collisions);
     // One that is passed, or is now and is there already, is not taken again.
-    double const passed = std::floor(at / pace_ + 1e-6);
+    double const nearest = std::round(at / pace_);
+    double const passed = same_moment(nearest * pace_, at) ? nearest : std::floor(at / pace_);
     point.next_sample = static_cast<std::uint64_t>(passed) + 1;
     point.samples = samples.size();
 }

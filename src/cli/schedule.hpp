@@ -35,6 +35,8 @@ public:
     bool frame_is_due(ResumePoint const& point, Goal const& goal, Stop stop) const;
     bool sample_is_due(ResumePoint const& point, Goal const& goal, Stop stop) const;
     bool is_reached(double time, std::uint64_t ball_collisions) const;
+    /// Whether two moments are one, but for the rounding of the run's clock.
+    bool same_moment(double a, double b) const;
     /// How far a run is, in [0, 1].
     double progress(double time, std::uint64_t ball_collisions) const;
 
@@ -50,10 +52,8 @@ private:
     double end_time_ = std::numeric_limits<double>::infinity();
     std::uint64_t end_collisions_ = std::numeric_limits<std::uint64_t>::max();
     double frame_interval_ = 0;
-    double pace_ = 0; // of samples, a power of two  [time] or [collisions]
+    double rounding_ = 0; // of the clock, relative
+    double pace_ = 0;     // of samples, a power of two  [time] or [collisions]
 };
-
-/// Whether two moments are the same but for rounding, on the scale of an interval.
-bool same_moment(double a, double b, double interval);
 
 } // namespace clack

@@ -1,5 +1,5 @@
-# Writes OUTPUT, a header that says what is being built, when that has changed.
-# The commit is asked for at each build, so that it is the one that was built.
+#Writes OUTPUT, a header that says what is being built, when that has changed.
+#The commit is asked for at each build, so that it is the one that was built.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --show-toplevel
                 OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(top)

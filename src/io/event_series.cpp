@@ -1,5 +1,7 @@
 #include "io/layout.hpp"
 
+#include "io/hdf5_attributes.hpp"
+
 #include <algorithm>
 
 namespace clack {
@@ -17,6 +19,10 @@ EventSeries EventSeries::create(Id const& file) {
     events.j_ = hdf5::Series<std::int64_t>::create(group, "j");
     events.velocity_i_ = hdf5::Series<double>::create(group, "velocity_i", {3});
     events.velocity_j_ = hdf5::Series<double>::create(group, "velocity_j", {3});
+    hdf5::write_attribute(group, "kind", std::string("1: balls i and j; 2: ball i and wall j"));
+    hdf5::write_attribute(group, "wall", std::string("0..5: x-, x+, y-, y+, z-, z+"));
+    hdf5::write_attribute(group, "time",
+                          std::string("epoch * parameters.epoch_length + offset, rounded"));
     return events;
 }
 

@@ -76,6 +76,16 @@ void require_writable(std::string const& path, Replacing replacing) {
     WriterLock const nobody_is_writing(path);
 }
 
+std::string real_path(std::string const& path) {
+    constexpr int links_max = 40; // as the system has it; beyond, links lead in a circle
+    std::error_code ignored;
+    fs::path real = path;
+    for (int link = 0; link < links_max && fs::is_symlink(real, ignored); ++link) {
+        real = real.parent_path() / fs::read_symlink(real, ignored); // an absolute one replaces all
+    }
+    return real.string();
+}
+
 WriterLock::WriterLock(std::string const& path) {
     descriptor_ = open(path.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor_ < 0) return; // whether it can be written is found out elsewhere

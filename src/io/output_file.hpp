@@ -13,6 +13,9 @@ enum class Replacing { trajectories, any_file };
 /// writing; where only trajectories may be replaced, an HDF5 file or an empty one.
 void require_writable(std::string const& path, Replacing replacing = Replacing::trajectories);
 
+/// The file that a name stands for: where a symbolic link leads, so that the link stays.
+std::string real_path(std::string const& path);
+
 /// The lock that tells others that a process is writing a file; it ends with the process. Readers
 /// need not care. Where a file system knows no such locks there is none.
 class WriterLock {

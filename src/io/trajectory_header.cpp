@@ -46,6 +46,18 @@ int format_of(hdf5::Id const& parameters) {
     return values.empty() ? 0 : values.front();
 }
 
+System read_system(hdf5::Id const& parameters, hdf5::Id const& balls) {
+    System system;
+    auto const boundary = hdf5::read_text_attributes(hdf5::open_group(balls, "box"), "boundary");
+    system.boundary = boundary.at(0) == "periodic" ? Boundary::periodic : Boundary::walls;
+    system.side = hdf5::read_double_attribute(parameters, "side");
+    system.count =
+        static_cast<std::int64_t>(hdf5::shape(hdf5::open_dataset(balls, "position/value")).at(1));
+    system.diameter = hdf5::read_double_attribute(parameters, "diameter");
+    system.mass = hdf5::read_double_attribute(parameters, "mass");
+    return system;
+}
+
 } // namespace
 
 void write_header(hdf5::Id const& file, TrajectoryHeader const& header) {
@@ -61,6 +73,7 @@ void write_header(hdf5::Id const& file, TrajectoryHeader const& header) {
     hdf5::write_attribute(parameters, "side", header.system.side);
     hdf5::write_attribute(parameters, "diameter", header.system.diameter);
     hdf5::write_attribute(parameters, "mass", header.system.mass);
+    hdf5::write_attribute(parameters, "epoch_length", header.epoch_length);
     hdf5::write_text(parameters, "scene", header.scene_text);
     hdf5::write_text(parameters, "scene_source", header.scene_source);
 
@@ -104,14 +117,8 @@ TrajectoryHeader read_header(hdf5::Id const& file, std::string const& path) {
     TrajectoryHeader header;
     header.scene_text = hdf5::read_text(parameters, "scene");
     header.scene_source = hdf5::read_text(parameters, "scene_source");
-    header.system.side = hdf5::read_double_attribute(parameters, "side");
-    header.system.diameter = hdf5::read_double_attribute(parameters, "diameter");
-    header.system.mass = hdf5::read_double_attribute(parameters, "mass");
-    auto const balls = hdf5::open_group(file, "particles/balls");
-    auto const boundary = hdf5::read_text_attributes(hdf5::open_group(balls, "box"), "boundary");
-    header.system.boundary = boundary.at(0) == "periodic" ? Boundary::periodic : Boundary::walls;
-    header.system.count =
-        static_cast<std::int64_t>(hdf5::shape(hdf5::open_dataset(balls, "position/value")).at(1));
+    header.system = read_system(parameters, hdf5::open_group(file, "particles/balls"));
+    header.epoch_length = hdf5::read_double_attribute(parameters, "epoch_length");
     header.events = hdf5::exists(file, "events") ? Events::stored : Events::dropped;
     header.limbs =
         static_cast<int>(hdf5::shape(hdf5::open_dataset(file, "checkpoint/a/records")).at(1) / 7);

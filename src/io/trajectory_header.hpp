@@ -17,7 +17,8 @@ struct TrajectoryHeader {
     std::string scene_source; // the name of the scene's file
     System system;
     Events events = Events::dropped;
-    int limbs = 1; // doubles in each number of a checkpoint
+    int limbs = 1;           // doubles in each number of a checkpoint
+    double epoch_length = 1; // of the clock: an event's time is epoch * epoch_length + offset
     std::uint64_t seed = 0;
     ModelDescription model;
     Provenance provenance = own_provenance();

@@ -108,10 +108,11 @@ TrajectoryReader::TrajectoryReader(std::string const& path) : path_(path) {
         sharing_ = opened.sharing;
         file_ = std::move(opened.id);
         header_ = read_header(file_, path);
+        // First, so that a writer at work cannot make it newer than what is then found beside it.
+        point_ = CheckpointSlots::open(file_).read();
         frames_ = FrameSeries::open(file_);
         samples_ = SampleSeries::open(file_);
         if (header_.events == Events::stored) events_ = EventSeries::open(file_);
-        checkpoints_ = CheckpointSlots::open(file_);
     });
 }
 
@@ -136,20 +137,19 @@ std::vector<Collision<double>> TrajectoryReader::events(std::size_t first,
     return guarded([&] { return events_->read(first, count); });
 }
 
-ResumePoint TrajectoryReader::resume_point() const {
-    auto point = guarded([&] { return checkpoints_.read(); });
-    if (!point) {
+ResumePoint const& TrajectoryReader::resume_point() const {
+    if (!point_) {
         throw FileError(FileFault::no_checkpoint,
                         path_ + ": neither of its two checkpoints is whole (checksum); run the "
                                 "scene again");
     }
     // HDF5 itself sees whether a closed file is whole; closing may have made it shorter.
-    bool const lost_its_end = left_open() && fs::file_size(path_) < point->file_bytes;
-    if (lost_its_end || frame_count() < point->frames || sample_count() < point->samples ||
-        event_count() < point->events) {
+    bool const lost_its_end = left_open() && fs::file_size(path_) < point_->file_bytes;
+    if (lost_its_end || frame_count() < point_->frames || sample_count() < point_->samples ||
+        event_count() < point_->events) {
         throw_truncated(path_, "it holds less than its checkpoint says");
     }
-    return *point;
+    return *point_;
 }
 
 Start last_frame(std::string const& path) {

@@ -34,7 +34,7 @@ public:
 
     /// Where the run can go on. Throws FileError: no_checkpoint when no slot is whole, truncated
     /// when the file is shorter than it was then, or holds less.
-    ResumePoint resume_point() const;
+    ResumePoint const& resume_point() const;
 
     /// Whether the file's writer is at work, or was killed, rather than having closed it.
     bool left_open() const { return sharing_ == hdf5::Sharing::with_writer; }
@@ -49,10 +49,10 @@ private:
     hdf5::Sharing sharing_ = hdf5::Sharing::exclusive;
     hdf5::Id file_;
     TrajectoryHeader header_;
+    std::optional<ResumePoint> point_;
     FrameSeries frames_;
     SampleSeries samples_;
     std::optional<EventSeries> events_;
-    CheckpointSlots checkpoints_;
 };
 
 /// The last frame of any H5MD file: of its particle group `balls`, else of its only one with

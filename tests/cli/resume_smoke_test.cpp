@@ -1,6 +1,8 @@
 #include "program.hpp"
 #include "same_file.hpp"
 
+#include "cli/record.hpp"
+
 #include <boost/test/unit_test.hpp>
 
 #include <random>
@@ -138,6 +140,12 @@ BOOST_AUTO_TEST_CASE(any_method_goes_on_to_the_same_bits) {
         BOOST_REQUIRE_EQUAL(
             resume("one.h5", {"--set", "run.collisions=3000", "--set", "run.method=fast"}).code, 0);
         BOOST_TEST(difference("one.h5", "whole.h5") == "", precision);
+
+        BOOST_REQUIRE_EQUAL(run("one.h5", with_goal("run.time=0.3", "heap")).code, 0);
+        BOOST_REQUIRE_EQUAL(run("whole.h5", with_goal("run.time=0.7", "fast")).code, 0);
+        BOOST_TEST(resume("one.h5").err.find("is finished") != std::string::npos);
+        BOOST_REQUIRE_EQUAL(resume("one.h5", {"--set", "run.time=0.7"}).code, 0);
+        BOOST_TEST(difference("one.h5", "whole.h5") == "", precision);
     }
 }
 
@@ -159,6 +167,32 @@ BOOST_AUTO_TEST_CASE(finished_run_says_so_and_a_changed_run_is_refused) {
         BOOST_TEST(refused.err.find(change) != std::string::npos);
     }
     BOOST_TEST(text_of("done.h5") == before);
+}
+
+BOOST_AUTO_TEST_CASE(finished_run_that_was_killed_before_it_closed_its_file_is_closed) {
+    auto const brief =
+        read_scene(folder.write("scene.toml", scene), {"run.collisions_per_ball=10"});
+    auto const engine = make_engine(brief.system, brief.method, brief.precision, make_start(brief));
+    TrajectoryWriter writer("closed.h5", header_of(brief, *engine));
+    ProgressLine line(Progress::hidden);
+    RecordedRun whole(brief, *engine, writer, line);
+    BOOST_TEST((whole.run() == RecordedRun::End::finished));
+    std::filesystem::copy_file("closed.h5", "left.h5"); // what a kill now would leave
+    writer.close();
+    BOOST_TEST(TrajectoryReader("left.h5").left_open());
+    BOOST_TEST(resume("left.h5").code == 0);
+    BOOST_TEST(!TrajectoryReader("left.h5").left_open());
+    BOOST_TEST(difference("left.h5", "closed.h5") == "");
+}
+
+BOOST_AUTO_TEST_CASE(link_stays_a_link) {
+    duration_of_reference();
+    std::filesystem::create_symlink("behind.h5", "link.h5");
+    BOOST_REQUIRE_EQUAL(run("link.h5", {"--set", "run.collisions_per_ball=10"}).code, 0);
+    BOOST_REQUIRE_EQUAL(resume("link.h5", {"--set", "run.collisions_per_ball=20"}).code, 0);
+    BOOST_TEST(std::filesystem::is_symlink("link.h5"));
+    BOOST_TEST(TrajectoryReader("behind.h5").resume_point().engine.tallies.ball_collisions ==
+               1080u);
 }
 
 BOOST_AUTO_TEST_CASE(file_that_is_being_written_is_read_but_not_resumed) {
