@@ -20,7 +20,7 @@ plot theory using 1:2 with lines ls 1 title 'modified Kolafa–Labík–Malijevs
      points using 1:14:15 with yerrorbars ls 2 pt 7 title 'clack'
 
 @residual_panel
-set yrange [-8:6]
+set yrange [-9:5]
 set ytics -4, 4
 set ylabel 'residual, s.e.'
 set xlabel 'packing fraction ' . eta
