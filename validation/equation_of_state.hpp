@@ -37,8 +37,10 @@ struct StatePoint {
 /// safe: there the 1/N terms are large enough to be tested too.
 inline std::vector<StatePoint> state_points(Profile const profile) {
     if (profile == Profile::quick) {
-        return {{0.05, 500, 30, 900, 16},   {0.10, 108, 30, 4000, 16}, {0.15, 500, 30, 900, 16},
-                {0.20, 108, 30, 4000, 16},  {0.30, 500, 50, 1000, 16}, {0.40, 500, 100, 2500, 16},
+        // So long that the margin is five standard errors: too few leave a point undecided.
+        return {{0.05, 500, 30, 1600, 16},  {0.10, 108, 30, 14'000, 16},
+                {0.15, 500, 30, 1000, 16},  {0.20, 108, 30, 10'000, 16},
+                {0.30, 500, 50, 2000, 16},  {0.40, 500, 100, 2500, 16},
                 {0.45, 864, 200, 1800, 16}, {0.49, 864, 300, 2000, 16}};
     }
     std::vector<StatePoint> points;
