@@ -36,7 +36,7 @@ RecordedRun::RecordedRun(Scene const& scene, Engine& engine, TrajectoryWriter& w
                          ProgressLine& line, ResumePoint point, std::vector<Sample> samples)
     : scene_(scene), schedule_(scene), engine_(engine), writer_(writer), line_(line),
       point_(std::move(point)), samples_(std::move(samples)), recorder_(writer),
-      last_flush_(Clock::now()) {
+      watch_(engine.system(), engine.kinetic_energy(), scene.source), last_flush_(Clock::now()) {
     if (point_.next_frame > 0) last_frame_time_ = schedule_.frame_time(point_.next_frame - 1);
 }
 
@@ -105,12 +105,14 @@ Stop RecordedRun::advance(Goal goal) {
     bool const record_events = scene_.events == Events::stored && point_.phase == Phase::under_way;
     Stop const stop = engine_.advance(goal, record_events ? &recorder_ : nullptr);
     if (point_.phase == Phase::under_way) point_.cpu_seconds += cpu_clock() - cpu_begin;
+    bool const counts_collisions = goal.ball_collisions != Goal{}.ball_collisions;
     if (stop == Stop::never) {
-        throw InputError(fmt::format("nothing will ever happen again after t = {:.6g} and {} "
-                                     "collisions, and the goal counts "
-                                     "collisions; set time instead ({})",
-                                     engine_.time(), engine_.tallies().ball_collisions,
-                                     scene_.source));
+        throw InputError(fmt::format("the goal counts collisions, and after t = {:.6g} nothing "
+                                     "will ever happen; set time instead ({})",
+                                     engine_.time(), scene_.source));
+    }
+    if (counts_collisions) {
+        watch_.look(engine_.time(), engine_.tallies().ball_collisions, writer_.frames());
     }
     if (stop == Stop::events) {
         double const seconds = seconds_since(begin);

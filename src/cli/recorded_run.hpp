@@ -3,6 +3,7 @@
 
 #include "cli/progress.hpp"
 #include "cli/schedule.hpp"
+#include "cli/standstill.hpp"
 #include "io/trajectory_writer.hpp"
 #include "scenes/scene.hpp"
 #include "simulation/engine.hpp"
@@ -24,7 +25,7 @@ public:
                 ResumePoint point = {}, std::vector<Sample> samples = {});
 
     /// Returns with the file flushed, not closed. Throws LawBroken from the engine, WriteError from
-    /// the file, and InputError when no event will ever happen but the goal is not reached.
+    /// the file, and InputError when the goal counts collisions and none will ever happen.
     End run();
 
     std::vector<Sample> const& samples() const { return samples_; }
@@ -66,6 +67,7 @@ private:
     ResumePoint point_;
     std::vector<Sample> samples_;
     EventRecorder recorder_;
+    StandstillWatch watch_;
     double last_frame_time_ = -1;
     std::uint64_t slice_ = 256; // events between looks at the clock and at signals
     bool frame_is_new_ = false; // since the last flush

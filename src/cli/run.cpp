@@ -5,6 +5,7 @@
 #include "io/output_file.hpp"
 #include "io/trajectory_reader.hpp"
 #include "io/trajectory_writer.hpp"
+#include "state/errors.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -33,7 +34,14 @@ int run_command(RunOptions const& options) {
     TrajectoryWriter writer(output, header_of(scene, *engine));
     ProgressLine line(options.progress);
     RecordedRun run(scene, *engine, writer, line);
-    int const code = record(run, writer, line, output);
+    int const code = [&] {
+        try {
+            return record(run, writer, line, output);
+        } catch (InputError const&) { // the goal is never reached; is there anything to keep?
+            if (engine->tallies().ball_collisions == 0) writer.discard();
+            throw;
+        }
+    }();
     if (code == exit_done) {
         print_summary(summarize(scene, *engine, run.samples(), run.cpu_seconds()), options.form,
                       options.hash);

@@ -113,4 +113,9 @@ void TrajectoryWriter::close() {
     lock_ = {};
 }
 
+void TrajectoryWriter::discard() noexcept {
+    std::error_code ignored;
+    std::filesystem::remove(temporary_->in_place() ? path_ : temporary_->name(), ignored);
+}
+
 } // namespace clack

@@ -36,6 +36,8 @@ public:
     void flush(ResumePoint& point);
     /// After a last flush: an ordinary file again.
     void close();
+    /// Takes the file away.
+    void discard() noexcept;
 
 private:
     template <class Task> void guarded(Task const& task);

@@ -101,6 +101,26 @@ BOOST_AUTO_TEST_CASE(truncated_file_is_refused_wherever_it_ends) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(balls_that_never_meet_are_told_and_leave_no_file) {
+    auto const path = folder.write("side_by_side.toml", R"(
+[container]
+boundary = "periodic"
+side = 5.0
+[balls]
+count = 2
+arrangement = "explicit"
+positions = [[1, 1, 1], [3, 3, 3]]
+[velocities]
+distribution = "explicit"
+velocities = [[1, 0, 0], [2, 0, 0]]
+[run]
+collisions = 10
+[output]
+frame_interval = 0.2
+)");
+    is_refused({"run", path, "-o", "never.h5", "--json", "--quiet"}, "set time instead");
+}
+
 BOOST_AUTO_TEST_CASE(memory_is_counted_before_it_is_taken) {
     // A limit set to the process counts as the machine's memory does: 200 MiB are too little for a
     // million balls.
