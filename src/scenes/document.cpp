@@ -55,9 +55,10 @@ void check_depth(std::string const& text, std::string const& source) {
         if (c == '\n') ++line;
         if (c == '.') ++parts;
         if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) parts = 0;
-        if (parts > most_parts)
+        if (parts > most_parts) {
             throw input_error(fmt::format("not TOML: a name of more than {} parts ({}:{})",
                                           most_parts, source, line));
+        }
     }
 }
 
@@ -109,18 +110,21 @@ void Document::check_names() const {
 void Document::check_section(std::string_view section, toml::key const& key,
                              toml::node const& node) const {
     auto const* const table = node.as_table();
-    if (table == nullptr)
+    if (table == nullptr) {
         throw input_error(fmt::format("{} = {}: must be a section; write [{}] on a line of its "
                                       "own ({}:{})",
                                       section, shown(node), section, source_,
                                       key.source().begin.line));
+    }
     auto const* const vocabulary = find_section(section);
-    for (auto const& [name, value] : *table)
-        if (!vocabulary->knows(name.str()))
+    for (auto const& [name, value] : *table) {
+        if (!vocabulary->knows(name.str())) {
             throw input_error(fmt::format(
                 "{} = {}: not a key of [{}], which takes {}; correct or remove it ({}:{})",
                 cut(std::string(name.str())), shown(value), section, vocabulary->listed_keys(),
                 source_, name.source().begin.line));
+        }
+    }
 }
 
 toml::node const* Document::find(Key key) const {
@@ -151,10 +155,11 @@ InputError Document::mistake_in_list(Key key, std::size_t index, std::string con
 }
 
 InputError Document::missing(Key key, std::string const& advice) const {
-    if (!key.section.empty() && table_.get(key.section) == nullptr)
+    if (!key.section.empty() && table_.get(key.section) == nullptr) {
         return input_error(fmt::format("[{}] is missing: a scene needs [container], [balls], "
                                        "[velocities] and [run]; add it ({})",
                                        key.section, source_));
+    }
     return input_error(fmt::format("{} is missing from {}: {} ({})", key.name,
                                    section_title(key.section), advice, source_));
 }
@@ -180,9 +185,10 @@ std::optional<double> Document::number(Key key, Range const& range) const {
     if (!value) throw mistake(key, fmt::format("must be a number, {}", range.meaning));
     if (!std::isfinite(*value))
         throw mistake(key, fmt::format("must be a finite number, {}", range.meaning));
-    if (*value < range.low || *value > range.high)
+    if (*value < range.low || *value > range.high) {
         throw mistake(key, fmt::format("must lie in [{:.4g}, {:.4g}], {}", range.low, range.high,
                                        range.meaning));
+    }
     return value;
 }
 
@@ -191,10 +197,11 @@ std::optional<std::int64_t> Document::whole_number(Key key, std::int64_t low,
     auto const* const node = find(key);
     if (node == nullptr) return std::nullopt;
     auto const* const integer = node->as_integer();
-    if (integer == nullptr || integer->get() < low || integer->get() > high)
+    if (integer == nullptr || integer->get() < low || integer->get() > high) {
         throw mistake(key, fmt::format("must be a whole number from {} to {}, written in digits "
                                        "only",
                                        low, high));
+    }
     return integer->get();
 }
 
@@ -213,22 +220,25 @@ Eigen::Vector3d Document::vector(Key key, std::size_t index, toml::node const& n
                                  double largest) const {
     auto const name = fmt::format("{}[{}]", key.name, index);
     auto const* const list = node.as_array();
-    if (list == nullptr)
+    if (list == nullptr) {
         throw mistake_at(key, fmt::format("{} = {}", name, shown(node)), node,
                          "must be a list of three numbers, [x, y, z]");
-    if (list->size() != 3)
+    }
+    if (list->size() != 3) {
         throw mistake_at(
             key, name, node,
             fmt::format("must be a list of three numbers, [x, y, z], and has {}", list->size()));
+    }
     Eigen::Vector3d column;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         auto const& element = *list->get(axis);
         auto const value = real_value(element);
-        if (!value || !(std::abs(*value) <= largest)) // false for NaN too
+        if (!value || !(std::abs(*value) <= largest)) { // false for NaN too
             throw mistake_at(key, fmt::format("{}[{}] = {}", name, axis, shown(element)), element,
                              fmt::format("must be a finite number of size at most {:.4g}; ball {} "
                                          "needs one",
                                          largest, index));
+        }
         column[static_cast<Eigen::Index>(axis)] = *value;
     }
     return column;

@@ -9,9 +9,9 @@ Eigen::Matrix3Xd place_on_grid(System const& system) {
     double const spacing = system.side / static_cast<double>(sites);
     Eigen::Matrix3Xd positions(3, system.count);
     for (std::int64_t ball = 0; ball < system.count; ++ball) {
-        Eigen::Array3d const site(static_cast<double>(ball % sites),
-                                  static_cast<double>(ball / sites % sites),
-                                  static_cast<double>(ball / (sites * sites)));
+        std::int64_t const x = ball % sites, y = ball / sites % sites, z = ball / (sites * sites);
+        Eigen::Array3d const site(static_cast<double>(x), static_cast<double>(y),
+                                  static_cast<double>(z));
         positions.col(ball) = ((site + 0.5) * spacing).matrix();
     }
     return positions;
@@ -25,8 +25,8 @@ Eigen::Matrix3Xd place_on_fcc(System const& system) {
     Eigen::Matrix3Xd positions(3, system.count);
     std::int64_t site = 0, ball = 0;
     // The sites are the points of the layers' grid whose coordinates add up to an even number.
-    for (std::int64_t z = 0; z < layers; ++z)
-        for (std::int64_t y = 0; y < layers; ++y)
+    for (std::int64_t z = 0; z < layers; ++z) {
+        for (std::int64_t y = 0; y < layers; ++y) {
             for (std::int64_t x = (y + z) % 2; x < layers; x += 2, ++site) {
                 // Ball number b takes site floor(b sites / count): gaps spread evenly.
                 if (ball == system.count || site != ball * sites / system.count) continue;
@@ -35,6 +35,8 @@ Eigen::Matrix3Xd place_on_fcc(System const& system) {
                                            static_cast<double>(z) - centred);
                 positions.col(ball++) = (system.side / 2 + steps * distance).matrix();
             }
+        }
+    }
     return positions;
 }
 

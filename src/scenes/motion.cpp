@@ -29,44 +29,49 @@ std::optional<Objection> objection_to_rest(Scene const& scene, double fastest) {
     auto const goal = counted_goal(scene);
     if (!goal) return std::nullopt;
     std::string const value = fmt::format("{}", goal->value);
-    if (scene.system.count == 1)
+    if (scene.system.count == 1) {
         return Objection{goal->key, value,
                          "is never reached, for a single ball has no other to collide with; set "
                          "time instead"};
-    if (fastest == 0)
+    }
+    if (fastest == 0) {
         return Objection{goal->key, value,
                          "is never reached, for all velocities are zero: nothing will ever happen; "
                          "give the balls velocities, or set time instead"};
+    }
     return std::nullopt;
 }
 
 } // namespace
 
 std::optional<Objection> objection_to_motion(Scene const& scene, double fastest) {
-    if (auto const objection = objection_to_rest(scene, fastest)) return objection;
+    if (auto objection = objection_to_rest(scene, fastest)) return objection;
     if (fastest == 0) return std::nullopt;
 
     auto const [smallest, largest] = magnitudes(scene.precision);
-    if (fastest < smallest || fastest > largest)
+    if (fastest < smallest || fastest > largest) {
         return Objection{
             key::distribution, "...",
             fmt::format("the fastest ball has speed {:.4g}, which must lie in [{:.4g}, "
                         "{:.4g}] at this precision; choose other units",
                         fastest, smallest, largest)};
+    }
     double const crossings = scene.time.value_or(0) * fastest / scene.system.side;
-    if (crossings > most_crossings)
+    if (crossings > most_crossings) {
         return Objection{
             key::time, fmt::format("{}", *scene.time),
             fmt::format("the fastest ball crosses the cube {:.4g} times, above {:.4g}; "
                         "lower it",
                         crossings, most_crossings)};
+    }
     double const shortest = shortest_frame_interval * scene.system.diameter / fastest;
-    if (scene.frame_interval > 0 && scene.frame_interval < shortest)
+    if (scene.frame_interval > 0 && scene.frame_interval < shortest) {
         return Objection{
             key::frame_interval, fmt::format("{}", scene.frame_interval),
             fmt::format("must be 0 or at least {:.4g}, {:.0e} of the time in which the "
                         "fastest ball moves its diameter; raise it",
                         shortest, shortest_frame_interval)};
+    }
     return std::nullopt;
 }
 

@@ -34,9 +34,10 @@ void insert_value(toml::table& section, std::string const& key, std::string cons
         toml::table parsed = toml::parse("value = " + value);
         section.insert_or_assign(key, std::move(*parsed.get("value")));
     } catch (toml::parse_error const&) {
-        if (!is_word(value))
+        if (!is_word(value)) {
             throw refuse(override_text, "the value is neither TOML nor a word; write a number, "
                                         "true, false, a word, or a list in [ ]");
+        }
         section.insert_or_assign(key, value);
     }
 }
@@ -55,21 +56,23 @@ std::string apply_override(toml::table& table, std::string const& override_text)
     auto const equals = override_text.find('=');
     if (equals == std::string::npos)
         throw refuse(override_text, "must read section.key=value, as in run.seed=7");
-    std::string const path = override_text.substr(0, equals);
+    std::string path = override_text.substr(0, equals);
     auto const dot = path.find('.');
     std::string const section_name = dot == std::string::npos ? "" : path.substr(0, dot);
     std::string const key = dot == std::string::npos ? path : path.substr(dot + 1);
 
     auto const* const section = find_section(section_name);
-    if (section == nullptr)
+    if (section == nullptr) {
         throw refuse(override_text, fmt::format("[{}] is not a section of a scene, which has "
                                                 "container, balls, velocities, run, output",
                                                 section_name));
-    if (!section->knows(key))
+    }
+    if (!section->knows(key)) {
         throw refuse(override_text,
                      fmt::format("{} is not a key of {}, which takes {}", key,
                                  section_name.empty() ? "the scene" : "[" + section_name + "]",
                                  section->listed_keys()));
+    }
 
     if (section_name.empty()) {
         insert_value(table, key, override_text.substr(equals + 1), override_text);

@@ -144,9 +144,10 @@ std::string why_it_does_not_fit(System const& system, Arrangement arrangement, C
         fmt::format("{} ball{} {} {}", system.count, system.count == 1 ? "" : "s",
                     arrangement_name(arrangement),
                     system.boundary == Boundary::walls ? "between walls" : "with periodic images");
-    if (given == CubeGivenBy::packing_fraction)
+    if (given == CubeGivenBy::packing_fraction) {
         return fmt::format("{} fit up to {:.4f}; lower it or change count or arrangement", balls,
                            rounded_down(largest));
+    }
     double const smallest = side_of_packing_fraction(system.count, system.diameter, largest);
     auto const fitting = largest_count(arrangement, system.boundary, system.side / system.diameter);
     return fmt::format("{} would have packing fraction {:.4g} and fit up to {:.4f}; raise side to "

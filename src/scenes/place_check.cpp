@@ -49,7 +49,7 @@ std::optional<Misplaced> ball_outside(System const& system, Eigen::Matrix3Xd con
     bool const walls = system.boundary == Boundary::walls;
     double const low = walls ? system.diameter / 2 : -furthest_image * system.side;
     double const high = walls ? system.side - system.diameter / 2 : furthest_image * system.side;
-    for (Eigen::Index ball = 0; ball < places.cols(); ++ball)
+    for (Eigen::Index ball = 0; ball < places.cols(); ++ball) {
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             double const x = places(axis, ball);
             if (x >= low - rounding(system) && x <= high + rounding(system)) continue;
@@ -62,6 +62,7 @@ std::optional<Misplaced> ball_outside(System const& system, Eigen::Matrix3Xd con
                                          high, walls ? ", half a diameter from the walls" : "",
                                          walls ? " or enlarge side" : " nearer")};
         }
+    }
     return std::nullopt;
 }
 
@@ -77,7 +78,7 @@ void wrap_places(System const& system, Eigen::Matrix3Xd& places) {
 }
 
 std::optional<Misplaced> misplaced_ball(System const& system, Eigen::Matrix3Xd const& places) {
-    if (auto const outside = ball_outside(system, places)) return outside;
+    if (auto outside = ball_outside(system, places)) return outside;
     Eigen::Matrix3Xd inside = places;
     wrap_places(system, inside);
     auto const [depth, first, second] = deepest_overlap(system, inside);

@@ -71,11 +71,12 @@ void read_balls(Document const& document, Scene& scene) {
     scene.positions = required(document, key::positions,
                                document.vectors(key::positions, furthest_image * largest),
                                "arrangement = \"explicit\" needs [x, y, z] for each ball");
-    if (scene.positions.cols() != system.count)
+    if (scene.positions.cols() != system.count) {
         throw document.mistake(key::positions,
                                fmt::format("must list count = {} balls, and lists {}; make them "
                                            "agree",
                                            system.count, scene.positions.cols()));
+    }
 }
 
 /// Side of the cube; the balls are known.
@@ -90,20 +91,22 @@ void read_container(Document const& document, Scene& scene) {
     auto const side = document.number(key::side, {smallest, largest, "a length"});
     auto const packing =
         document.number(key::packing_fraction, {lowest, -lowest, "a share of the cube"});
-    if (side && packing)
+    if (side && packing) {
         throw document.mistake(key::packing_fraction,
                                "excludes side, which is given too; keep one of them");
+    }
     if (!side && !packing)
         throw document.missing(key::side, "give exactly one of side and packing_fraction");
-    if (packing && !(*packing > 0 && *packing < close_packing))
+    if (packing && !(*packing > 0 && *packing < close_packing)) {
         throw document.mistake(key::packing_fraction,
                                fmt::format("must lie in (0, {:.4f}), close packing; {} it",
                                            close_packing, *packing > 0 ? "lower" : "raise"));
+    }
     system.side = side ? *side : side_of_packing_fraction(system.count, system.diameter, *packing);
 
     Key const given = side ? key::side : key::packing_fraction;
     double const ratio = largest_side_in_diameters(scene.precision);
-    if (!(system.side <= ratio * system.diameter))
+    if (!(system.side <= ratio * system.diameter)) {
         throw document.mistake(
             given,
             fmt::format("the side is {:.4g} diameters, and this precision tells places apart "
@@ -112,6 +115,7 @@ void read_container(Document const& document, Scene& scene) {
                         scene.precision == Precision::single_
                             ? "use more balls or precision = \"double\""
                             : "make the cube smaller"));
+    }
     auto const reason = why_it_does_not_fit(
         system, scene.arrangement, side ? CubeGivenBy::side : CubeGivenBy::packing_fraction);
     if (!reason.empty()) throw document.mistake(given, reason);
@@ -129,10 +133,11 @@ void read_velocities(Document const& document, Scene& scene) {
                  "say how the velocities are drawn: maxwell, equal_speed, explicit or file");
     scene.temperature =
         document.number(key::temperature, {0, largest, "an energy, kT"}).value_or(1);
-    if (scene.temperature > 0 && scene.temperature < smallest)
+    if (scene.temperature > 0 && scene.temperature < smallest) {
         throw document.mistake(
             key::temperature,
             fmt::format("must be 0 or lie in [{:.4g}, {:.4g}], an energy, kT", smallest, largest));
+    }
 
     bool const listed = scene.distribution == Distribution::explicit_;
     refuse_unless(listed, document, key::velocities,
@@ -141,11 +146,12 @@ void read_velocities(Document const& document, Scene& scene) {
     scene.velocities =
         required(document, key::velocities, document.vectors(key::velocities, largest),
                  "distribution = \"explicit\" needs [x, y, z] for each ball");
-    if (scene.velocities.cols() != scene.system.count)
+    if (scene.velocities.cols() != scene.system.count) {
         throw document.mistake(key::velocities,
                                fmt::format("must list count = {} balls, and lists {}; make them "
                                            "agree",
                                            scene.system.count, scene.velocities.cols()));
+    }
 }
 
 /// The trajectory that places or velocities come from; a relative path starts at the scene's
@@ -171,9 +177,10 @@ void read_goal(Document const& document, Scene& scene) {
     Range const per_ball{0, 2 * most_collisions / count, "collisions per ball"};
     scene.equilibrate = document.number(key::equilibrate, per_ball).value_or(0);
     scene.collisions_per_ball = document.number(key::collisions_per_ball, per_ball);
-    if (scene.collisions_per_ball == 0.0)
+    if (scene.collisions_per_ball == 0.0) {
         throw document.mistake(key::collisions_per_ball,
                                "must be above 0, or there is nothing to run");
+    }
     scene.time = document.number(key::time, {0, magnitudes(Precision::double_).largest, "a time"});
     auto const collisions =
         document.whole_number(key::collisions, 1, static_cast<std::int64_t>(most_collisions));
@@ -192,21 +199,25 @@ void read_output(Document const& document, Scene& scene) {
     scene.frame_interval =
         document.number(key::frame_interval, {0, magnitudes(Precision::double_).largest, "a time"})
             .value_or(0);
-    if (scene.time && scene.frame_interval > 0 && *scene.time / scene.frame_interval > most_frames)
+    if (scene.time && scene.frame_interval > 0 &&
+        *scene.time / scene.frame_interval > most_frames) {
         throw document.mistake(key::frame_interval,
                                fmt::format("makes {:.4g} frames of time = {}, above {:.4g}; raise "
                                            "it",
                                            *scene.time / scene.frame_interval, *scene.time,
                                            most_frames));
+    }
     scene.events = document.flag(key::events).value_or(false) ? Events::stored : Events::dropped;
 }
 
 /// The rules that need places and speeds, where the scene itself has them: it can show the line.
 void check_start(Document const& document, Scene const& scene) {
-    if (scene.arrangement == Arrangement::explicit_)
-        if (auto const misplaced = misplaced_ball(scene.system, scene.positions))
+    if (scene.arrangement == Arrangement::explicit_) {
+        if (auto const misplaced = misplaced_ball(scene.system, scene.positions)) {
             throw document.mistake_in_list(
                 key::positions, static_cast<std::size_t>(misplaced->ball), misplaced->what);
+        }
+    }
     auto const fastest = expected_speed(scene);
     if (!fastest) return;
     if (auto const wrong = objection_to_motion(scene, *fastest))

@@ -24,18 +24,20 @@ InputError refuse(Scene const& scene, std::string const& message) {
 Start read_file(Scene const& scene, StartReader const& read_start) {
     if (scene.arrangement != Arrangement::file && scene.distribution != Distribution::file)
         return {};
-    if (!read_start)
+    if (!read_start) {
         throw refuse(scene, fmt::format("path = \"{}\": no trajectory can be read here; list the "
                                         "balls in the scene",
                                         scene.start_path));
+    }
     return read_start(scene.start_path);
 }
 
 void check_length(Scene const& scene, std::string const& what, Eigen::Matrix3Xd const& columns) {
-    if (columns.cols() != scene.system.count)
+    if (columns.cols() != scene.system.count) {
         throw refuse(scene, fmt::format("{} of {} balls where count = {}: they must agree; change "
                                         "count",
                                         what, columns.cols(), scene.system.count));
+    }
 }
 
 Eigen::Matrix3Xd place_at_random(Scene const& scene) {
@@ -79,12 +81,15 @@ Eigen::Matrix3Xd give_velocities(Scene const& scene, Eigen::Matrix3Xd const& fro
 }
 
 void check_finite(Scene const& scene, Eigen::Matrix3Xd const& velocities) {
-    for (Eigen::Index ball = 0; ball < velocities.cols(); ++ball)
-        for (Eigen::Index axis = 0; axis < 3; ++axis)
-            if (!std::isfinite(velocities(axis, ball)))
+    for (Eigen::Index ball = 0; ball < velocities.cols(); ++ball) {
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            if (!std::isfinite(velocities(axis, ball))) {
                 throw refuse(scene, fmt::format("ball {} has v{} = {}: must be a finite "
                                                 "number; correct it",
                                                 ball, "xyz"[axis], velocities(axis, ball)));
+            }
+        }
+    }
 }
 
 } // namespace

@@ -38,13 +38,14 @@ DiscPoint draw_in_disc(Generator& generator) {
 
 void remove_momentum(Eigen::Matrix3Xd& velocities) {
     // The second pass removes what rounding has left of the first.
-    for (int pass = 0; pass < 2; ++pass)
+    for (int pass = 0; pass < 2; ++pass) {
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             CompensatedSum sum;
             for (Eigen::Index ball = 0; ball < velocities.cols(); ++ball)
                 sum.add(velocities(axis, ball));
             velocities.row(axis).array() -= sum.value() / static_cast<double>(velocities.cols());
         }
+    }
 }
 
 /// Momentum and temperature as they are asked for.
