@@ -118,6 +118,10 @@ Macros macros_of(Plan const& plan, std::vector<Row> const& rows, Profile const p
         macros.define(name + "Microseconds", significant(1e6 * row.costs.back().value, 2));
         macros.define(name + "LargestCount", fmt::format("{}", ladder.largest));
     }
+    // The table's largest size stands at the same place on the ladders of all methods.
+    std::size_t const last = plan.counts(plan.ladders.front().largest).size() - 1;
+    macros.define("TableOverFast",
+                  significant(rows[1].costs[last].value / rows.back().costs[last].value, 2));
     return macros;
 }
 
