@@ -154,7 +154,7 @@ int trajectory_info(std::string const& path) {
     line("trajectory", path);
     print_system(header.system);
     print_rows(file);
-    auto const point = file.resume_point();
+    auto const& point = file.resume_point();
     line("state", fmt::format("{}, at {} collisions", in_words(point.phase),
                               point.engine.tallies.ball_collisions));
     if (file.left_open()) line("", "its writer is at work, or was killed");

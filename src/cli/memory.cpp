@@ -71,7 +71,7 @@ std::size_t run_bytes(Scene const& scene) {
                               : scene.precision == Precision::extended ? 2
                                                                        : 1;
     std::size_t const image = periodic ? 3 * sizeof(int) : 0;
-    std::size_t const frame = 2 * 3 * sizeof(double) + image; // a snapshot, or one that waits
+    std::size_t const frame = 6 * sizeof(double) + image; // a snapshot, or one that waits
     std::size_t const checkpoint = 7 * limbs * sizeof(double) + 3 * sizeof(int);
     auto const count = static_cast<std::size_t>(scene.system.count);
     return expected_bytes(scene.system, scene.method, scene.precision) +

@@ -31,6 +31,8 @@ BOOST_AUTO_TEST_CASE(true_engine_keeps_energy_momentum_and_distance) {
 }
 
 BOOST_AUTO_TEST_CASE(impulse_wrong_by_a_ten_thousandth_is_caught) {
-    EngineMaker const mutant = mutants::make<PeriodicCube, mutants::WeakerImpulses>;
+    EngineMaker const mutant = [](Scene const& scene) {
+        return mutants::make<PeriodicCube, mutants::WeakerImpulses>(scene);
+    };
     BOOST_TEST(!keeps_to_rounding(mutant, Boundary::periodic));
 }
