@@ -1,6 +1,6 @@
 #include "io/provenance.hpp"
 
-#include "clack_build.hpp" // made by the build: CLACK_VERSION, CLACK_COMMIT, CLACK_FLAGS
+#include <clack_build.hpp> // made by the build: CLACK_VERSION, CLACK_COMMIT, CLACK_FLAGS
 
 #include <sys/utsname.h>
 

@@ -1,4 +1,4 @@
-#include "program.hpp"
+#include "tests/cli/program.hpp"
 #include "tests/io/python.hpp"
 
 #include "io/trajectory_reader.hpp"

@@ -1,5 +1,5 @@
-#include "program.hpp"
-#include "same_file.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/cli/same_file.hpp"
 
 #include "cli/record.hpp"
 

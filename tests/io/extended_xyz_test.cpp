@@ -1,5 +1,5 @@
 #include "io/extended_xyz.hpp"
-#include "made_up_run.hpp"
+#include "tests/io/made_up_run.hpp"
 
 #include <boost/test/unit_test.hpp>
 

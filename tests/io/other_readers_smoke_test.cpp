@@ -1,5 +1,5 @@
-#include "made_up_run.hpp"
-#include "python.hpp"
+#include "tests/io/made_up_run.hpp"
+#include "tests/io/python.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 #include "io/file_errors.hpp"
 #include "io/trajectory_reader.hpp"
-#include "made_up_run.hpp"
+#include "tests/io/made_up_run.hpp"
 
 #include <boost/test/unit_test.hpp>
 

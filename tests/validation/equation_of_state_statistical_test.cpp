@@ -2,8 +2,8 @@
 
 #include "validation/equation_of_state.hpp"
 
-#include "mutants.hpp"
 #include "state/errors.hpp"
+#include "tests/validation/mutants.hpp"
 #include "validation/harness/seeds.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -3,7 +3,7 @@
 #include "validation/velocity_distribution.hpp"
 #include "validation/velocity_relaxation.hpp"
 
-#include "mutants.hpp"
+#include "tests/validation/mutants.hpp"
 #include "validation/harness/seeds.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -2,7 +2,7 @@
 #include "validation/harness/campaign.hpp"
 #include "validation/harness/seeds.hpp"
 
-#include "temporary_directory.hpp"
+#include "tests/validation/harness/temporary_directory.hpp"
 
 #include <boost/test/unit_test.hpp>
 

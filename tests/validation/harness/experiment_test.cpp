@@ -2,7 +2,7 @@
 #include "state/errors.hpp"
 #include "validation/harness/experiment.hpp"
 
-#include "temporary_directory.hpp"
+#include "tests/validation/harness/temporary_directory.hpp"
 
 #include <boost/test/unit_test.hpp>
 
