@@ -1,6 +1,6 @@
 #include "validation/harness/provenance.hpp"
 
-#include "clack_build.hpp" // made by the build: CLACK_VERSION, CLACK_FLAGS
+#include <clack_build.hpp> // made by the build: CLACK_VERSION, CLACK_FLAGS
 #include "validation/harness/campaign.hpp"
 
 #include <fmt/format.h>
