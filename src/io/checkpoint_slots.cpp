@@ -184,11 +184,11 @@ Id CheckpointSlots::header_type() {
 }
 
 CheckpointSlots CheckpointSlots::create(Id const& file, System const& system, int limbs) {
-    static_assert(sizeof(Header) == 24 * 8);
+    static_assert(sizeof(Header) == 192);
     CheckpointSlots slots;
     auto const group = hdf5::create_group(file, "checkpoint");
     auto const balls = static_cast<hsize_t>(system.count);
-    auto const numbers = static_cast<hsize_t>(7 * limbs);
+    auto const numbers = 7 * static_cast<hsize_t>(limbs);
     for (std::size_t k = 0; k < slot_names.size(); ++k) {
         auto const parent = hdf5::create_group(group, slot_names[k]);
         auto& slot = slots.slots_[k];
@@ -237,7 +237,7 @@ std::optional<std::pair<std::uint64_t, ResumePoint>> CheckpointSlots::read(Slot 
     if (header.sequence == 0 || header.limbs < 1 || header.limbs > limbs_max) return std::nullopt;
     auto point = header.resume_point();
     auto const sizes = hdf5::shape(slot.records);
-    if (sizes.size() != 2 || sizes[1] != static_cast<hsize_t>(7 * header.limbs)) {
+    if (sizes.size() != 2 || sizes[1] != 7 * static_cast<hsize_t>(header.limbs)) {
         return std::nullopt;
     }
     point.engine.records.resize(static_cast<std::size_t>(sizes[0] * sizes[1]));

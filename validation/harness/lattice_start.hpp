@@ -31,9 +31,9 @@ inline Start lattice_start(System const& system, std::uint64_t seed) {
     start.velocities.resize(3, system.count);
     for (std::int64_t k = 0; k < system.count; ++k) {
         std::int64_t const cell = k / 4, corner = k % 4;
-        Eigen::Vector3d site(static_cast<double>(cell % cells),
-                             static_cast<double>(cell / cells % cells),
-                             static_cast<double>(cell / cells / cells));
+        std::int64_t const x = cell % cells, y = cell / cells % cells, z = cell / cells / cells;
+        Eigen::Vector3d site(static_cast<double>(x), static_cast<double>(y),
+                             static_cast<double>(z));
         for (int d = 0; d < 3; ++d) {
             if (corner > 0 && corner != 3 - d) site[d] += 0.5;
             start.velocities(d, k) = uniform(random, -1.75, 1.75);

@@ -1,7 +1,7 @@
 #include "validation/harness/provenance.hpp"
 
-#include <clack_build.hpp> // made by the build: CLACK_VERSION, CLACK_FLAGS
 #include "validation/harness/campaign.hpp"
+#include <clack_build.hpp> // made by the build: CLACK_VERSION, CLACK_FLAGS
 
 #include <fmt/format.h>
 
