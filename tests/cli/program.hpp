@@ -75,6 +75,12 @@ public:
     Process(Process const&) = delete;
     Process& operator=(Process const&) = delete;
 
+    /// Waits for a file that the process makes, so that a slow machine gets as far as a quick one.
+    void wait_for(std::filesystem::path const& file) const {
+        for (int k = 0; k < 60'000 && !std::filesystem::exists(file); ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+
     void signal_after(std::chrono::microseconds wait, int number) {
         std::this_thread::sleep_for(wait);
         kill(child_, number);

@@ -65,6 +65,7 @@ std::string difference_after(int signal, std::mt19937_64& moments) {
     };
     std::filesystem::remove("stopped.h5");
     Process first({"run", "scene.toml", "-o", "stopped.h5", "--quiet"});
+    if (signal != SIGKILL) first.wait_for("stopped.h5");
     first.signal_after(some_time(), signal);
     auto const code = first.finish().code;
     BOOST_TEST((code == 0 || code == (signal == SIGKILL ? -SIGKILL : 130)));
@@ -96,7 +97,8 @@ BOOST_AUTO_TEST_CASE(interrupted_equilibration_is_resumable) {
     duration_of_reference();
     Process first(
         {"run", "scene.toml", "-o", "early.h5", "--quiet", "--set", "run.equilibrate=1000000"});
-    first.signal_after(microseconds(300'000), SIGINT);
+    first.wait_for("early.h5");
+    first.signal_after(microseconds(100'000), SIGINT);
     auto const outcome = first.finish();
     BOOST_TEST(outcome.code == 130);
     BOOST_TEST(outcome.err_is_one_line());
