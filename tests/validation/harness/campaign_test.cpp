@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(finished_replicates_are_not_measured_again) {
     auto const recalled = resumed.replicates(point, 5, second.measure);
     BOOST_TEST(second.calls == 2); // only the two that are new
     BOOST_TEST(resumed.measured_count() == 2);
-    for (int k = 0; k < 3; ++k) BOOST_TEST(recalled[k] == measured[k]); // to the last bit
+    for (std::size_t k = 0; k < 3; ++k) BOOST_TEST(recalled[k] == measured[k]); // to the last bit
 }
 
 BOOST_AUTO_TEST_CASE(interrupted_campaign_keeps_what_was_finished) {
