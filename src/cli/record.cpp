@@ -28,10 +28,16 @@ void print_summary(Summary const& summary, Form form, ShowHash hash) {
     if (std::fflush(stdout) != 0) throw WriteError("standard output: cannot be written");
 }
 
-int record(RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,
+int record(Scene const& scene, RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,
            std::string const& output) {
     defer_interrupts();
-    auto const end = run.run();
+    auto const end = [&] {
+        try {
+            return run.run();
+        } catch (LawBroken const& broken) { // enough to replay it
+            throw LawBroken(fmt::format("{} (seed {}, {})", broken.what(), scene.seed, output));
+        }
+    }();
     writer.close();
     line.clear();
     if (end == RecordedRun::End::finished) return exit_done;

@@ -16,8 +16,8 @@ TrajectoryHeader header_of(Scene const& scene, Engine const& engine);
 void print_summary(Summary const& summary, Form form, ShowHash hash);
 
 /// Runs to the goal, or until a signal, and closes the file. Says how to go on after a signal.
-/// Returns the exit code.
-int record(RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,
+/// Returns the exit code. A broken law is told with the seed and the file that replay it.
+int record(Scene const& scene, RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,
            std::string const& output);
 
 } // namespace clack

@@ -107,7 +107,7 @@ int resume_command(ResumeOptions const& options) {
 
     ProgressLine line(options.progress);
     RecordedRun run(scene, *engine, writer, line, std::move(point), std::move(samples));
-    int const code = record(run, writer, line, path);
+    int const code = record(scene, run, writer, line, path);
     if (code == exit_done) {
         print_summary(summarize(scene, *engine, run.samples(), run.cpu_seconds()), options.form,
                       options.hash);

@@ -36,7 +36,7 @@ int run_command(RunOptions const& options) {
     RecordedRun run(scene, *engine, writer, line);
     int const code = [&] {
         try {
-            return record(run, writer, line, output);
+            return record(scene, run, writer, line, output);
         } catch (InputError const&) { // the goal is never reached; is there anything to keep?
             if (engine->tallies().ball_collisions == 0) writer.discard();
             throw;

@@ -57,6 +57,16 @@ OpenFile open_shared_if_needed(std::string const& path) {
     }
 }
 
+/// HDF5 itself sees whether a closed file has its end, and closing may have made it shorter; of one
+/// left open it would read what is lost as zeros.
+void require_end(hdf5::Sharing sharing, std::optional<ResumePoint> const& point,
+                 std::string const& path) {
+    bool const left_open = sharing == hdf5::Sharing::with_writer;
+    if (left_open && point && fs::file_size(path) < point->file_bytes) {
+        throw_truncated(path, "it is shorter than its checkpoint says");
+    }
+}
+
 /// The group of particles that a start is read from.
 hdf5::Id particle_group(hdf5::Id const& file, std::string const& path) {
     auto const particles = hdf5::open_group(file, "particles");
@@ -110,6 +120,7 @@ TrajectoryReader::TrajectoryReader(std::string const& path) : path_(path) {
         header_ = read_header(file_, path);
         // First, so that a writer at work cannot make it newer than what is then found beside it.
         point_ = CheckpointSlots::open(file_).read();
+        require_end(sharing_, point_, path);
         frames_ = FrameSeries::open(file_);
         samples_ = SampleSeries::open(file_);
         if (header_.events == Events::stored) events_ = EventSeries::open(file_);
@@ -143,9 +154,7 @@ ResumePoint const& TrajectoryReader::resume_point() const {
                         path_ + ": neither of its two checkpoints is whole (checksum); run the "
                                 "scene again");
     }
-    // HDF5 itself sees whether a closed file is whole; closing may have made it shorter.
-    bool const lost_its_end = left_open() && fs::file_size(path_) < point_->file_bytes;
-    if (lost_its_end || frame_count() < point_->frames || sample_count() < point_->samples ||
+    if (frame_count() < point_->frames || sample_count() < point_->samples ||
         event_count() < point_->events) {
         throw_truncated(path_, "it holds less than its checkpoint says");
     }
@@ -153,9 +162,12 @@ ResumePoint const& TrajectoryReader::resume_point() const {
 }
 
 Start last_frame(std::string const& path) {
-    auto const file = open_shared_if_needed(path).id;
+    auto const [sharing, file] = open_shared_if_needed(path);
     try {
         require_h5md(file, path);
+        if (hdf5::exists(file, "checkpoint/b/header")) { // clack's own
+            require_end(sharing, CheckpointSlots::open(file).read(), path);
+        }
         auto const group = particle_group(file, path);
         Start start;
         start.positions = last_row(group, "position/value", path);

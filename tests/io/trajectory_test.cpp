@@ -105,8 +105,8 @@ BOOST_AUTO_TEST_CASE(file_can_be_followed_while_it_is_written) {
     BOOST_CHECK_EXCEPTION(WriterLock(folder.file("growing.h5")), FileError,
                           fault_is(FileFault::in_use));
     std::filesystem::resize_file(copy, std::filesystem::file_size(copy) - 100);
-    BOOST_CHECK_EXCEPTION(TrajectoryReader(copy).resume_point(), FileError,
-                          fault_is(FileFault::truncated));
+    BOOST_CHECK_EXCEPTION(TrajectoryReader{copy}, FileError, fault_is(FileFault::truncated));
+    BOOST_CHECK_EXCEPTION(last_frame(copy), FileError, fault_is(FileFault::truncated));
     writer.close();
     BOOST_CHECK_NO_THROW(WriterLock(folder.file("growing.h5")));
 }
@@ -166,6 +166,7 @@ BOOST_AUTO_TEST_CASE(truncated_file_is_told_at_any_length) {
             name, static_cast<std::uintmax_t>(part * static_cast<double>(length)));
         BOOST_CHECK_EXCEPTION(TrajectoryReader(name).resume_point(), FileError,
                               fault_is(FileFault::truncated));
+        BOOST_CHECK_EXCEPTION(last_frame(name), FileError, fault_is(FileFault::truncated));
     }
 }
 
