@@ -170,6 +170,18 @@ BOOST_AUTO_TEST_CASE(truncated_file_is_told_at_any_length) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(truncated_file_of_another_program_is_told) {
+    auto const name = folder.file("foreign.h5");
+    write_made_up_run(name, made_up_header(Boundary::walls, 50), 40);
+    {
+        hdf5::Id const file(H5Fopen(name.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+        H5Ldelete(file.get(), "checkpoint", H5P_DEFAULT); // what only clack's own have
+    }
+    BOOST_TEST(last_frame(name).positions.cols() == 50);
+    std::filesystem::resize_file(name, std::filesystem::file_size(name) - 1);
+    BOOST_CHECK_EXCEPTION(last_frame(name), FileError, fault_is(FileFault::truncated));
+}
+
 BOOST_AUTO_TEST_CASE(damaged_checkpoint_falls_back_on_the_other_and_then_says_so) {
     auto const name = folder.file("damaged.h5");
     auto const header = made_up_header(Boundary::walls, 4);
