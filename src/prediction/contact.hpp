@@ -32,7 +32,7 @@ template <class Real> struct SteadyDiameter {
     template <class Number>
     [[gnu::always_inline]] Number contact_time(Pair<Number> const& p) const {
         Number const zero{};
-        Number const never = zero + std::numeric_limits<Real>::quiet_NaN();
+        Number never = zero + std::numeric_limits<Real>::quiet_NaN();
         Number const b = p.x * p.vx + p.y * p.vy + p.z * p.vz;
         if constexpr (!is_lanes<Number>) {
             if (!(b < 0)) return never;

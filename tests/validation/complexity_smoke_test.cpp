@@ -15,7 +15,7 @@ Plan const small{.packing_fraction = 0.2,
                  .smallest = 256,
                  .largest_fitted = 2'048,
                  .ladders = {{Method::fast, 2'048, 500, 1, 0}},
-                 .replicates = 3};
+                 .replicates = 8}; // one sweep that another process disturbed does not decide
 
 /// The verdicts on start and collision when `make` is put to the test.
 std::vector<Judgement> judged(MethodMaker const& make) {
