@@ -3,7 +3,6 @@
 // powers that it should follow.
 
 #include "simulation/model_choice.hpp"
-#include "state/memory_order.hpp"
 #include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/options.hpp"
@@ -92,17 +91,6 @@ inline double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The balls of a snapshot in the order in which the engine keeps them from its first change of
-/// epoch on, which a short timing does not reach.
-inline Start in_memory_order(Snapshot const& snapshot, System const& system) {
-    std::vector<Ball<double>> balls(static_cast<std::size_t>(system.count));
-    for (std::size_t i = 0; i < balls.size(); ++i)
-        balls[i].point = snapshot.positions.col(static_cast<Eigen::Index>(i));
-    auto const order = memory_order(balls, 0.0, system.side);
-    if (order.empty()) return {snapshot.positions, snapshot.velocities};
-    return {snapshot.positions(Eigen::all, order), snapshot.velocities(Eigen::all, order)};
-}
-
 /// A gas in equilibrium, for all methods to start from.
 inline std::pair<System, Start> gas(Plan const& plan, std::int64_t const count,
                                     std::uint64_t const seed) {
@@ -117,7 +105,8 @@ inline std::pair<System, Start> gas(Plan const& plan, std::int64_t const count,
     auto const engine = make_true_engine(scene);
     engine->advance({.ball_collisions = static_cast<std::uint64_t>(
                          plan.equilibration * static_cast<double>(count) / 2)});
-    return {scene.system, in_memory_order(engine->snapshot(), scene.system)};
+    Snapshot const snapshot = engine->snapshot();
+    return {scene.system, {snapshot.positions, snapshot.velocities}};
 }
 
 /// What one method costs at one size.

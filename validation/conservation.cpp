@@ -1,4 +1,4 @@
-// Do energy, momentum and the balls' distance keep to rounding over a long run?
+// Do energy, momentum and the distances at contact keep to rounding over a long run?
 
 #include "validation/conservation.hpp"
 
@@ -17,10 +17,12 @@ using namespace conservation;
 
 Question const question{
     "conservation",
-    "Do energy, momentum and the distance of balls in contact keep to rounding over a long run?",
+    "Do energy, momentum and the distances of balls and walls in contact keep to rounding over a "
+    "long run?",
     "energy and momentum 4 (2 + sqrt(collisions per ball)) roundings, for rounding errors wander; "
     "overlap 16 roundings of a place and of the flight of one epoch, whatever the length of the "
-    "run; sixteen standard errors of the wandering, so that chance plays no part"};
+    "run; walls two roundings of the side; sixteen standard errors of the wandering, so that "
+    "chance plays no part"};
 
 struct Run {
     StatePoint point;
@@ -37,39 +39,43 @@ struct Run {
 Measurement flat(std::vector<Moment> const& moments) {
     Measurement numbers;
     for (Moment const& m : moments)
-        numbers.insert(numbers.end(),
-                       {m.collisions_per_ball, m.energy_drift, m.momentum, m.deepest_overlap});
+        numbers.insert(numbers.end(), {m.collisions_per_ball, m.energy_drift, m.momentum,
+                                       m.deepest_overlap, m.wall_distance});
     return numbers;
 }
 
 std::vector<Moment> unflat(Measurement const& numbers) {
     std::vector<Moment> moments;
-    for (std::size_t k = 0; k + 3 < numbers.size(); k += 4)
-        moments.push_back({numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3]});
+    for (std::size_t k = 0; k + 4 < numbers.size(); k += 5)
+        moments.push_back(
+            {numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3], numbers[k + 4]});
     return moments;
 }
 
 Csv csv_of(std::vector<Run> const& runs) {
     Csv csv({"boundary", "packing_fraction", "count", "collisions_per_ball", "energy_drift",
              "momentum_change", "drift_bound", "deepest_overlap_per_diameter",
-             "overlap_bound_per_diameter"});
+             "overlap_bound_per_diameter", "wall_distance_error_per_diameter",
+             "wall_bound_per_diameter"});
     for (Run const& run : runs)
         for (Moment const& m : run.moments)
             csv.row({cell(std::string(run.point.boundary_name())), cell(run.point.packing_fraction),
                      cell(run.point.count), cell(m.collisions_per_ball),
                      cell(std::abs(m.energy_drift)), cell(m.momentum),
                      cell(drift_bound(m.collisions_per_ball)), cell(m.deepest_overlap),
-                     cell(overlap_bound(run.system))});
+                     cell(overlap_bound(run.system)), cell(m.wall_distance),
+                     cell(wall_bound(run.system))});
     return csv;
 }
 
 Macros macros_of(std::vector<Run> const& runs, Verdict const verdict) {
-    double energy = 0, momentum = 0, overlap = 0;
+    double energy = 0, momentum = 0, overlap = 0, wall = 0;
     for (Run const& run : runs) {
         for (Moment const& m : run.moments) {
             energy = std::max(energy, std::abs(m.energy_drift));
             momentum = std::max(momentum, m.momentum);
             overlap = std::max(overlap, m.deepest_overlap);
+            wall = std::max(wall, m.wall_distance);
         }
     }
     Macros macros("Conservation");
@@ -78,6 +84,7 @@ Macros macros_of(std::vector<Run> const& runs, Verdict const verdict) {
     macros.define("EnergyDrift", significant(energy, 2));
     macros.define("MomentumChange", significant(momentum, 2));
     macros.define("DeepestOverlap", significant(overlap, 2));
+    macros.define("WallDistance", significant(wall, 2));
     macros.define("Verdict", name_of(verdict));
     return macros;
 }
@@ -94,11 +101,12 @@ Verdict ask(Experiment& experiment) {
         Moment const& last = run.moments.back();
         std::cout << fmt::format("{:8} packing fraction {:.2f}, {} collisions a ball: energy drift "
                                  "{:+.1e}, momentum {:.1e} (bound {:.1e}), overlap {:.1e} (bound "
-                                 "{:.1e})  {}\n",
+                                 "{:.1e}), wall {:.1e} (bound {:.1e})  {}\n",
                                  point.boundary_name(), point.packing_fraction,
                                  last.collisions_per_ball, last.energy_drift, last.momentum,
                                  drift_bound(last.collisions_per_ball), last.deepest_overlap,
-                                 overlap_bound(run.system), name_of(run.verdict()));
+                                 overlap_bound(run.system), last.wall_distance,
+                                 wall_bound(run.system), name_of(run.verdict()));
     }
     Verdict const verdict = together(verdicts);
     experiment.write(csv_of(runs));

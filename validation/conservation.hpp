@@ -52,6 +52,26 @@ struct Moment {
     double energy_drift;    // relative
     double momentum;        // its change over m v_rms sqrt(n); 0 between walls, which take it up
     double deepest_overlap; // [diameters]
+    double wall_distance;   // error of a centre's distance from the wall it hits  [diameters]
+};
+
+/// How far from its wall a ball turns back, beside half a diameter.
+class WallDistance final : public CollisionObserver {
+public:
+    explicit WallDistance(System const& system) : system_(system) {}
+
+    void operator()(Collision<double> const& collision) override {
+        if (collision.kind != CollisionKind::wall) return;
+        double const place = collision.position[collision.second / 2];
+        double const distance = collision.second % 2 == 0 ? place : system_.side - place;
+        double const error = std::abs(distance / system_.diameter - 0.5);
+        if (!(error <= largest_)) largest_ = error;
+    }
+    double largest() const { return largest_; }
+
+private:
+    System system_;
+    double largest_ = 0;
 };
 
 /// The moments of one run, at collisions per ball that double from 1 on.
@@ -61,14 +81,15 @@ inline std::vector<Moment> measure(StatePoint const& point, std::uint64_t seed,
     double const energy = engine->kinetic_energy();
     Eigen::Vector3d const momentum = engine->momentum();
     double const unit = std::sqrt(2 * energy * engine->system().mass); // m v_rms sqrt(n)
+    WallDistance walls(engine->system());
     std::vector<Moment> moments;
     for (double collisions = 1; collisions <= point.collisions_per_ball; collisions *= 2) {
         auto const goal = collisions * static_cast<double>(point.count) / 2;
-        engine->advance({.ball_collisions = static_cast<std::uint64_t>(goal)});
+        engine->advance({.ball_collisions = static_cast<std::uint64_t>(goal)}, &walls);
         double const change = (engine->momentum() - momentum).norm() / unit;
         moments.push_back({collisions, engine->kinetic_energy() / energy - 1,
                            point.boundary == Boundary::walls ? 0 : change,
-                           engine->tallies().deepest_overlap});
+                           engine->tallies().deepest_overlap, walls.largest()});
     }
     return moments;
 }
@@ -91,11 +112,17 @@ inline double overlap_bound(System const& system) {
     return 16 * roundoff * (system.side + flight) / system.diameter;
 }
 
+/// A wall is a number: the distance from it is rounded when it is set and when it is measured.
+inline double wall_bound(System const& system) {
+    return 4 * roundoff * system.side / system.diameter;
+}
+
 /// Whether a moment keeps all laws.
 inline bool holds(Moment const& moment, System const& system) {
     double const drift = drift_bound(moment.collisions_per_ball);
     return std::abs(moment.energy_drift) <= drift && moment.momentum <= drift &&
-           moment.deepest_overlap <= overlap_bound(system);
+           moment.deepest_overlap <= overlap_bound(system) &&
+           moment.wall_distance <= wall_bound(system);
 }
 
 } // namespace clack::validation::conservation

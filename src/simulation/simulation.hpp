@@ -224,11 +224,11 @@ private:
         model_.begin_epoch(length);
         if constexpr (Model<Real>::keeps_energy)
             laws_.energy_is_kept(state_.kinetic_energy(), clock_, tallies_);
-        state_.put_in_memory_order();
         rebuild();
     }
 
     void rebuild() {
+        state_.put_in_memory_order();
         search_.rebuild(state_.balls, clock_.offset);
         for (std::int32_t ball = 0; ball < state_.count(); ++ball) next_[ball] = next_event(ball);
         queue_.rebuild(next_, clock_.offset);

@@ -112,11 +112,11 @@ run
 expect 'a failed verdict stops neither the others nor the figures nor the report' \
   ran drew paper/one.gp one report two
 expect 'it fails the whole' test "$status" != 0
-expect 'and is named' says 'one has failed: build/log/one.log'
+expect 'and is named' says 'one does not agree: build/log/one.log'
 run
 expect 'a failed verdict is not measured again' ran
 expect 'but still fails' test "$status" != 0
-expect 'and is still named' says 'one has failed'
+expect 'and is still named' says 'one does not agree'
 
 experiment one 'exit 3'
 run

@@ -9,6 +9,7 @@
 #include "state/container.hpp"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -34,6 +35,36 @@ template <class Real> struct WeakerImpulses : ElasticBalls<Real> {
                           Vector3<Real> const& separation, std::uint64_t /*collision*/) const {
         return exchange_normal_velocities(velocity_i, velocity_j, separation,
                                           static_cast<Real>(1 - 1e-4));
+    }
+};
+
+/// One collision in ten thousand missed: a pair whose b = r.v lies that near to a multiple of its
+/// unit never touches, whoever asks.
+template <class Real> struct MissedCollisions : ElasticBalls<Real> {
+    using ElasticBalls<Real>::ElasticBalls;
+    template <class Number> Number contact_time(Pair<Number> const& p) const {
+        constexpr Real missed = static_cast<Real>(1e-4);
+        constexpr Real scale = 1024; // so that b takes many units
+        Number const b = scale * (p.x * p.vx + p.y * p.vy + p.z * p.vz);
+        Number const part = b - nearest_integer<Number, Real>(b); // -0.5 ... 0.5
+        Number const never = Number{} + std::numeric_limits<Real>::quiet_NaN();
+        Number const when = ElasticBalls<Real>::contact_time(p);
+        return select(part * part < missed * missed / 4, never, when);
+    }
+};
+
+/// Walls off by 0.1 % of the room between them.
+template <class Real> struct MovedWalls : ElasticBalls<Real> {
+    using ElasticBalls<Real>::ElasticBalls;
+    static WalledCube<Real> moved(WalledCube<Real> cube) {
+        cube.high += static_cast<Real>(1e-3) * cube.extent();
+        return cube;
+    }
+    WallContact<Real> wall_contact(Ball<Real> const& ball, WalledCube<Real> const& cube) const {
+        return earliest_wall(ball, moved(cube));
+    }
+    Real plane(WalledCube<Real> const& cube, int towards, Real time) const {
+        return ElasticBalls<Real>::plane(moved(cube), towards, time);
     }
 };
 
