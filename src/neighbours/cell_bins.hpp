@@ -1,12 +1,15 @@
 #pragma once
 // Which balls are in which cell of a cubic lattice: book-keeping only, no physics.
 
+#include "state/chained_bins.hpp"
+#include "state/huge_pages.hpp"
 #include "state/system.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace clack {
@@ -20,11 +23,22 @@ public:
     std::int32_t const* begin() const { return balls_.data(); }
     std::int32_t const* end() const { return balls_.data() + size_; }
 
-    template <std::size_t places>
-    void append(std::array<std::int32_t, places> const& block, std::int32_t count) {
-        if (size_ + places > balls_.size()) balls_.resize(2 * balls_.size() + places);
-        std::copy_n(block.begin(), places, balls_.data() + size_);
-        size_ += static_cast<std::size_t>(count);
+    void append(std::int32_t ball) {
+        std::int32_t* const place = room(1);
+        *place = ball;
+        ++size_;
+    }
+
+    /// Where the next balls may be written, so many at most; `grow_to` then says where they end.
+    std::int32_t* room(std::size_t count) {
+        if (size_ + count > balls_.size()) balls_.resize(2 * (size_ + count));
+        return balls_.data() + size_;
+    }
+    void grow_to(std::int32_t const* end) { size_ = static_cast<std::size_t>(end - balls_.data()); }
+
+    /// Fills up with one ball to a multiple of `whole`.
+    void pad(std::int32_t ball, std::size_t whole) {
+        while (size_ % whole != 0) append(ball);
     }
 
     std::size_t bytes() const { return balls_.capacity() * sizeof(std::int32_t); }
@@ -34,14 +48,14 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Balls by cell. A cell is a block of six places and, when it is full, a chain of further blocks
-/// from a pool: nothing can overflow.
+/// Balls by cell.
 class CellBins {
 public:
     using Cell = std::array<std::int32_t, 3>;
 
     CellBins(Boundary boundary, std::int32_t cells_per_side, std::size_t ball_count)
-        : boundary_(boundary), per_side_(cells_per_side), cell_of_(ball_count) {
+        : per_side_(cells_per_side), cell_of_(large_vector<Cell>(ball_count)) {
+        lay_out(boundary);
         clear();
     }
 
@@ -50,126 +64,119 @@ public:
         return cell_of_[static_cast<std::size_t>(ball)];
     }
 
-    void clear() {
-        auto const m = static_cast<std::size_t>(per_side_);
-        blocks_.assign(m * m * m, Block{});
-        free_ = end_of_chain;
-    }
+    void clear() { cells_.reset(cell_count_); }
 
     void insert(std::int32_t ball, Cell const& cell) {
         cell_of_[static_cast<std::size_t>(ball)] = cell;
-        std::size_t block = index(cell);
-        while (blocks_[block].count == places) {
-            if (blocks_[block].more == end_of_chain) {
-                std::int32_t const fresh = take_block();
-                blocks_[block].more = fresh;
-            }
-            block = static_cast<std::size_t>(blocks_[block].more);
-        }
-        Block& room = blocks_[block];
-        room.ball[static_cast<std::size_t>(room.count++)] = ball;
+        cells_.insert(index(cell), ball);
     }
 
-    void remove(std::int32_t ball) {
-        std::size_t last = index(cell_of(ball)), before = last, found = last;
-        std::size_t place = blocks_[last].find(ball);
-        while (blocks_[last].more != end_of_chain) {
-            before = last;
-            last = static_cast<std::size_t>(blocks_[last].more);
-            if (place == static_cast<std::size_t>(blocks_[found].count)) {
-                found = last;
-                place = blocks_[last].find(ball);
-            }
-        }
-        // The last ball of the chain takes the place that becomes free.
-        Block& tail = blocks_[last];
-        blocks_[found].ball[place] = tail.ball[static_cast<std::size_t>(--tail.count)];
-        if (tail.count == 0 && last != before) release_block(before, last);
+    void remove(std::int32_t ball) { cells_.remove(index(cell_of(ball)), ball); }
+
+    /// Appends the balls of a cell and of the 26 around it.
+    void collect_around(Cell const& cell, BallBuffer& balls) const {
+        auto const x = lines(0, cell), y = lines(1, cell), z = lines(2, cell);
+        Copy copy(*this, balls);
+        for (std::size_t in_z : z)
+            for (std::size_t in_y : y)
+                for (std::size_t in_x : x) copy.bin(in_z + in_y + in_x);
     }
 
-    /// Appends the balls of the cells in a block of the lattice: along each axis the given offsets
-    /// from `centre`, through the boundary where it is periodic.
-    void collect_block(Cell const& centre, Cell const& from, Cell const& to,
-                       BallBuffer& balls) const {
-        for (std::int32_t dz = from[2]; dz <= to[2]; ++dz) {
-            std::int32_t x = 0, y = 0, z = 0;
-            if (!neighbour(centre[2], dz, z)) continue;
-            for (std::int32_t dy = from[1]; dy <= to[1]; ++dy) {
-                if (!neighbour(centre[1], dy, y)) continue;
-                std::size_t const row = index({0, y, z});
-                for (std::int32_t dx = from[0]; dx <= to[0]; ++dx) {
-                    if (neighbour(centre[0], dx, x))
-                        collect(row + static_cast<std::size_t>(x), balls);
-                }
+    /// Appends the balls of the nine cells beyond one face of a cell's surroundings.
+    void collect_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
+                        BallBuffer& balls) const {
+        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
+        auto const u = lines((axis + 1) % 3, cell), v = lines((axis + 2) % 3, cell);
+        Copy copy(*this, balls);
+        for (std::size_t in_u : u)
+            for (std::size_t in_v : v) copy.bin(face + in_u + in_v);
+    }
+
+    /// Hints to the memory: where a ball is, and the cells around it.
+    void fetch(std::int32_t ball) const { __builtin_prefetch(cell_of_.data() + ball); }
+    void fetch_around(std::int32_t ball) const {
+        Cell const& cell = cell_of(ball);
+        auto const x = lines(0, cell);
+        for (std::size_t in_z : lines(2, cell)) {
+            for (std::size_t in_y : lines(1, cell)) {
+                __builtin_prefetch(&cells_.block(in_z + in_y + x[0]));
+                __builtin_prefetch(&cells_.block(in_z + in_y + x[2]));
             }
         }
     }
 
-    /// The coordinate `offset` cells further; false beyond a wall.
-    bool neighbour(std::int32_t coordinate, std::int32_t offset, std::int32_t& result) const {
-        result = coordinate + offset;
-        if (result >= 0 && result < per_side_) return true;
-        if (boundary_ == Boundary::walls) return false;
-        result += result < 0 ? per_side_ : -per_side_;
-        return true;
+    /// The next cell along an axis, through the boundary where it is periodic.
+    std::int32_t next(std::int32_t coordinate, std::int32_t direction) const {
+        std::int32_t const there = coordinate + direction;
+        return there < 0 ? per_side_ - 1 : there == per_side_ ? 0 : there;
     }
 
-    std::size_t bytes() const {
-        return blocks_.capacity() * sizeof(Block) + cell_of_.capacity() * sizeof(Cell);
-    }
+    std::size_t bytes() const { return cells_.bytes() + cell_of_.capacity() * sizeof(Cell); }
 
 private:
     static constexpr std::int32_t places = 6; // a block is half a cache line
-    static constexpr std::int32_t end_of_chain = -1;
+    static constexpr std::size_t room_around = std::size_t{27} * places;
+    using Cells = ChainedBins<places>;
 
-    struct Block {
-        std::int32_t count = 0;
-        std::int32_t more = end_of_chain;
-        std::array<std::int32_t, places> ball{};
+    /// Copies bins to the end of a buffer.
+    class Copy {
+    public:
+        Copy(CellBins const& bins, BallBuffer& balls)
+            : bins_(bins), balls_(balls), end_(balls.room(room_around)) {}
+        Copy(Copy const&) = delete;
+        Copy& operator=(Copy const&) = delete;
+        ~Copy() { balls_.grow_to(end_); }
 
-        std::size_t find(std::int32_t wanted) const {
-            std::size_t place = 0;
-            while (place < static_cast<std::size_t>(count) && ball[place] != wanted) ++place;
-            return place;
+        void bin(std::size_t bin) {
+            Cells::Block const* block = &bins_.cells_.block(bin);
+            append(*block);
+            while (block->more != Cells::end_of_chain) {
+                block = &bins_.cells_.block(static_cast<std::size_t>(block->more));
+                balls_.grow_to(end_);
+                end_ = balls_.room(room_around + places);
+                append(*block);
+            }
         }
+
+    private:
+        /// All places are copied, which takes no loop, and those that count are kept.
+        void append(Cells::Block const& block) {
+            std::memcpy(end_, block.ball.data(), sizeof block.ball);
+            end_ += block.count;
+        }
+
+        CellBins const& bins_;
+        BallBuffer& balls_;
+        std::int32_t* end_;
     };
 
-    void collect(std::size_t block, BallBuffer& balls) const {
-        for (;; block = static_cast<std::size_t>(blocks_[block].more)) {
-            Block const& here = blocks_[block];
-            balls.append(here.ball, here.count);
-            if (here.more == end_of_chain) return;
-        }
+    /// What the coordinates one less, the same and one more along an axis add to a cell's index.
+    std::array<std::size_t, 3> lines(std::size_t axis, Cell const& cell) const {
+        std::size_t const* const line = line_[axis].data() + static_cast<std::size_t>(cell[axis]);
+        return {line[0], line[1], line[2]};
     }
-
     std::size_t index(Cell const& cell) const {
-        auto const m = static_cast<std::size_t>(per_side_);
-        return (static_cast<std::size_t>(cell[2]) * m + static_cast<std::size_t>(cell[1])) * m +
-               static_cast<std::size_t>(cell[0]);
+        return lines(0, cell)[1] + lines(1, cell)[1] + lines(2, cell)[1];
     }
 
-    std::int32_t take_block() {
-        if (free_ != end_of_chain) {
-            std::int32_t const block = free_;
-            free_ = blocks_[static_cast<std::size_t>(block)].more;
-            blocks_[static_cast<std::size_t>(block)] = Block{};
-            return block;
+    /// Beyond walls lies one layer of cells that stay empty.
+    void lay_out(Boundary boundary) {
+        std::size_t const m = static_cast<std::size_t>(per_side_);
+        std::size_t const beyond = boundary == Boundary::walls ? 1 : 0;
+        std::size_t stride = 1;
+        for (auto& line : line_) {
+            for (std::size_t c = 0; c < m + 2; ++c)
+                line.push_back((beyond ? c : (c + m - 1) % m) * stride);
+            stride *= m + 2 * beyond;
         }
-        blocks_.emplace_back();
-        return static_cast<std::int32_t>(blocks_.size() - 1);
+        cell_count_ = stride;
     }
 
-    void release_block(std::size_t before, std::size_t block) {
-        blocks_[before].more = end_of_chain;
-        blocks_[block].more = free_;
-        free_ = static_cast<std::int32_t>(block);
-    }
-
-    Boundary boundary_;
     std::int32_t per_side_;
-    std::int32_t free_ = end_of_chain;
-    std::vector<Block> blocks_;
+    Cells cells_;
     std::vector<Cell> cell_of_;
+    std::array<std::vector<std::size_t>, 3> line_; // of the coordinates from -1 to per_side_
+    std::size_t cell_count_ = 0;
 };
 
 } // namespace clack

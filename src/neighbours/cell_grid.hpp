@@ -4,6 +4,7 @@
 #include "neighbours/cell_bins.hpp"
 #include "neighbours/every_pair.hpp"
 #include "neighbours/neighbour_search.hpp"
+#include "prediction/sixteen.hpp"
 #include "state/container.hpp"
 
 #include <algorithm>
@@ -49,6 +50,9 @@ template <class Real> struct CellLattice {
 /// Balls by cell; a ball that leaves its cell expires.
 template <class Real, class Container> class CellGrid {
 public:
+    bool nearest_image_is_clear() const {
+        return Container::boundary == Boundary::walls || lattice_.per_side > 4;
+    }
     CellGrid(System const& system, Container const& cube)
         : cube_(cube), lattice_(system, cube, system.diameter, balls_per_cell),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
@@ -64,9 +68,9 @@ public:
     }
 
     std::span<std::int32_t const> candidates(std::int32_t ball) {
-        found_.clear();
-        bins_.collect_block(bins_.cell_of(ball), {-1, -1, -1}, {1, 1, 1}, found_);
-        return padded(ball);
+        BallBuffer& found = next_buffer();
+        bins_.collect_around(bins_.cell_of(ball), found);
+        return padded(found, ball);
     }
 
     /// When the ball leaves its cell. The cell is what the last crossing said, never what the
@@ -74,24 +78,28 @@ public:
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
         CellBins::Cell const& cell = bins_.cell_of(ball);
-        Vector3<Real> const place = record.position(now);
+        Real const flown = now - record.time;
         Real first = infinity<Real>;
+        int axis = 0;
         for (int d = 0; d < 3; ++d) {
+            // Choices, not branches: which way a ball flies cannot be foretold.
             Real const v = record.velocity[d];
             std::int32_t const ahead = cell[static_cast<std::size_t>(d)] + (v > 0 ? 1 : 0);
-            bool const at_wall = Container::boundary == Boundary::walls &&
-                                 (ahead == 0 || ahead == lattice_.per_side);
-            if (v == 0 || at_wall) continue;
-            Real distance = lattice_.origin + static_cast<Real>(ahead) * lattice_.side - place[d];
-            if constexpr (Container::boundary == Boundary::periodic)
+            Real distance = lattice_.origin + static_cast<Real>(ahead) * lattice_.side -
+                            (record.point[d] + v * flown);
+            bool never = v == 0;
+            if constexpr (Container::boundary == Boundary::periodic) {
                 distance -= cube_.image(distance) * cube_.side;
-            Real const wait = distance / v;
-            Real const when = wait > 0 ? now + wait : now;
-            if (when < first) {
-                first = when;
-                exit_[static_cast<std::size_t>(ball)] = static_cast<std::uint8_t>(d);
+            } else {
+                never |= ahead == 0 || ahead == lattice_.per_side;
             }
+            Real const wait = distance / v;
+            Real const when = never ? infinity<Real> : now + (wait > 0 ? wait : Real(0));
+            bool const sooner = when < first;
+            first = sooner ? when : first;
+            axis = sooner ? d : axis;
         }
+        exit_[static_cast<std::size_t>(ball)] = static_cast<std::uint8_t>(axis);
         return first;
     }
 
@@ -103,32 +111,38 @@ public:
         Real const v = balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(d)];
         std::int32_t const direction = v > 0 ? 1 : -1;
         CellBins::Cell cell = bins_.cell_of(ball);
-        bins_.neighbour(cell[d], direction, cell[d]);
+        cell[d] = bins_.next(cell[d], direction);
         bins_.remove(ball);
         bins_.insert(ball, cell);
-        CellBins::Cell from{-1, -1, -1}, to{1, 1, 1};
-        from[d] = to[d] = direction;
-        found_.clear();
-        bins_.collect_block(cell, from, to, found_);
-        return padded(ball);
+        BallBuffer& found = next_buffer();
+        bins_.collect_beyond(cell, d, direction, found);
+        return padded(found, ball);
     }
 
-    std::size_t bytes() const { return bins_.bytes() + exit_.capacity() + found_.bytes(); }
+    std::size_t bytes() const {
+        return bins_.bytes() + exit_.capacity() + buffers_[0].bytes() + buffers_[1].bytes();
+    }
 
 private:
     // Fewer make crossings, more make candidates: the flat optimum of their cost together.
     static constexpr double balls_per_cell = 1;
 
-    std::span<std::int32_t const> padded(std::int32_t ball) {
-        while (found_.size() % lane_count != 0) found_.append(std::array{ball}, 1);
-        return {found_.begin(), found_.size()};
+    BallBuffer& next_buffer() {
+        turn_ = 1 - turn_;
+        buffers_[turn_].clear();
+        return buffers_[turn_];
+    }
+    std::span<std::int32_t const> padded(BallBuffer& found, std::int32_t ball) {
+        while (found.size() == 0 || found.size() % screen_lanes != 0) found.append(ball);
+        return {found.begin(), found.size()};
     }
 
     Container cube_;
     CellLattice<Real> lattice_;
     CellBins bins_;
-    std::vector<std::uint8_t> exit_; // the axis along which the ball will leave its cell
-    BallBuffer found_;               // reused
+    std::vector<std::uint8_t> exit_;    // the axis along which the ball will leave its cell
+    std::array<BallBuffer, 2> buffers_; // reused in turn
+    std::size_t turn_ = 0;
 };
 
 } // namespace clack

@@ -2,9 +2,11 @@
 // Each ball's own list of balls near it, good until it leaves the shell around the list's centre.
 
 #include "neighbours/cell_grid.hpp"
+#include "prediction/sixteen.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace clack {
 
@@ -13,13 +15,16 @@ namespace clack {
 /// leaves its shell gets a new list about where it is, alone.
 template <class Real, class Container> class NeighbourList {
 public:
+    static constexpr bool nearest_image_is_clear() { return true; }
     NeighbourList(System const& system, Container const& cube)
         : cube_(cube), radius_(static_cast<Real>(shell_radius(system))),
-          reach_(static_cast<Real>(reach(system))),
+          reach_(static_cast<float>(reach(system) / system.diameter)),
+          diameter_(static_cast<Real>(system.diameter)), per_diameter_(1 / diameter_),
+          side_(static_cast<float>(system.side / system.diameter)), inverse_side_(1 / side_),
           lattice_(system, cube, reach(system), balls_per_cell),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
-          centre_(static_cast<std::size_t>(system.count)),
-          length_(static_cast<std::size_t>(system.count)) {
+          centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))),
+          length_(large_vector<std::int32_t>(centre_.size())) {
         widen(first_width);
     }
 
@@ -32,19 +37,20 @@ public:
         bins_.clear();
         std::fill(length_.begin(), length_.end(), 0);
         for (std::size_t i = 0; i < balls.size(); ++i) {
-            centre_[i] = balls[i].position(now);
-            cube_.wrap(centre_[i]);
+            centre_[i] = centre_at(balls[i].position(now));
             auto const ball = static_cast<std::int32_t>(i);
             std::fill_n(row(ball), width_, ball);
             // Lists are mutual, so each ball meets only those that came before it.
             connect(ball);
-            bins_.insert(ball, lattice_.cell_at(centre_[i]));
+            bins_.insert(ball, lattice_.cell_at(place_of(centre_[i])));
         }
     }
 
     std::span<std::int32_t const> candidates(std::int32_t ball) const {
-        auto const length = static_cast<std::size_t>(length_[static_cast<std::size_t>(ball)]);
-        return {row(ball), EveryPair<Real, Container>::padded(length)};
+        std::int32_t const* const list = row(ball);
+        std::size_t end = screen_lanes;
+        while (end < width_ && list[end - 1] != ball && list[end] != ball) end += screen_lanes;
+        return {list, end};
     }
 
     /// When the ball leaves its shell: the later root of |x - centre| = radius, formed without
@@ -66,58 +72,120 @@ public:
                                           Real now) {
         disconnect(ball);
         bins_.remove(ball);
-        Vector3<Real>& centre = centre_[static_cast<std::size_t>(ball)];
-        centre = balls[static_cast<std::size_t>(ball)].position(now);
-        cube_.wrap(centre);
+        Centre& centre = centre_[static_cast<std::size_t>(ball)];
+        centre = centre_at(balls[static_cast<std::size_t>(ball)].position(now));
         connect(ball);
-        bins_.insert(ball, lattice_.cell_at(centre));
+        bins_.insert(ball, lattice_.cell_at(place_of(centre)));
         return candidates(ball);
     }
 
+    /// Hints to the memory: a ball's own entries, and what its refresh will touch.
+    void fetch(std::int32_t ball) const {
+        __builtin_prefetch(row(ball));
+        __builtin_prefetch(centre_.data() + ball);
+        bins_.fetch(ball);
+    }
+    void fetch_for_refresh(std::int32_t ball) const {
+        for (std::int32_t const other : candidates(ball)) {
+            __builtin_prefetch(row(other), 1);
+            __builtin_prefetch(length_.data() + other, 1);
+        }
+        bins_.fetch_around(ball);
+    }
+
     std::size_t bytes() const {
-        return bins_.bytes() + centre_.capacity() * sizeof(Vector3<Real>) +
-               (length_.capacity() + list_.capacity()) * sizeof(std::int32_t) + found_.bytes();
+        return bins_.bytes() + centre_.capacity() * sizeof(Centre) +
+               length_.capacity() * sizeof(std::int32_t) + list_.capacity() * sizeof(Line) +
+               found_.bytes();
     }
 
 private:
-    static constexpr double balls_per_cell = 0.7;
-    static constexpr std::size_t first_width = 16;
+    /// In single precision, in diameters: what it is rounded to is the centre. The fourth number
+    /// makes it one load.
+    using Centre = std::array<float, 4>;
 
-    /// Measured: thick shells make long lists, thin ones many rebuilds; the flat best is a third of
-    /// a diameter in the fluid and less where a crystal leaves balls no way out of their cages.
+    /// Sixteen balls of a list: a cache line.
+    struct alignas(64) Line : std::array<std::int32_t, screen_lanes> {};
+
+    static constexpr double balls_per_cell = 0.7;
+    static constexpr std::size_t first_width = screen_lanes;
+
+    /// Thick shells make long lists, thin ones many rebuilds. Measured: best where a list just
+    /// about fills the sixteen lanes of one look.
     static double shell_radius(System const& system) {
-        double const best = 0.32 - 0.6 * (system.packing_fraction() - 0.5);
-        return system.diameter * std::clamp(best, 0.18, 0.32);
+        constexpr double listed = 14; // balls, on average
+        double const reach = std::cbrt(listed * 3 / (4 * std::numbers::pi * density(system)));
+        return system.diameter * std::clamp((reach - 1) / 2, 0.15, 0.6);
+    }
+    static double density(System const& system) { // per cubic diameter
+        return system.packing_fraction() * 6 / std::numbers::pi;
     }
     static double reach(System const& system) {
-        double const rounding =
-            1024 * static_cast<double>(unit_roundoff<Real>) * (system.diameter + system.side);
+        // Of the float that the centres are compared in.
+        double const rounding = 64 * 0x1p-24 * (system.diameter + system.side);
         return system.diameter + 2 * shell_radius(system) + rounding;
     }
 
     std::int32_t* row(std::int32_t ball) {
-        return list_.data() + static_cast<std::size_t>(ball) * width_;
+        return list_.front().data() + static_cast<std::size_t>(ball) * width_;
     }
     std::int32_t const* row(std::int32_t ball) const {
-        return list_.data() + static_cast<std::size_t>(ball) * width_;
+        return list_.front().data() + static_cast<std::size_t>(ball) * width_;
     }
 
-    Vector3<Real> from_centre(Vector3<Real> place, std::int32_t ball) const {
-        place -= centre_[static_cast<std::size_t>(ball)];
-        if constexpr (Container::boundary == Boundary::periodic)
-            for (int d = 0; d < 3; ++d) place[d] -= cube_.image(place[d]) * cube_.side;
+    Centre centre_at(Vector3<Real> place) const {
+        cube_.wrap(place);
+        Centre centre{};
+        for (std::size_t d = 0; d < 3; ++d)
+            centre[d] = static_cast<float>(place[static_cast<int>(d)] * per_diameter_);
+        return centre;
+    }
+    Vector3<Real> place_of(Centre const& centre) const {
+        Vector3<Real> place;
+        for (std::size_t d = 0; d < 3; ++d)
+            place[static_cast<int>(d)] = static_cast<Real>(centre[d]) * diameter_;
         return place;
     }
 
+    Vector3<Real> from_centre(Vector3<Real> place, std::int32_t ball) const {
+        Vector3<Real> const centre = place_of(centre_[static_cast<std::size_t>(ball)]);
+        for (int d = 0; d < 3; ++d) {
+            place[d] -= centre[d];
+            if constexpr (Container::boundary == Boundary::periodic)
+                place[d] -= cube_.image(place[d]) * cube_.side;
+        }
+        return place;
+    }
+
+    /// One component of the way between two centres, through the nearest image.
+    Floats apart(Floats distance) const {
+        if constexpr (Container::boundary == Boundary::periodic)
+            distance = distance - nearest_integer<Floats, float>(distance * inverse_side_) * side_;
+        return distance;
+    }
+
     void connect(std::int32_t ball) {
-        Vector3<Real> const centre = centre_[static_cast<std::size_t>(ball)];
+        Centre const own = centre_[static_cast<std::size_t>(ball)];
         found_.clear();
-        bins_.collect_block(lattice_.cell_at(centre), {-1, -1, -1}, {1, 1, 1}, found_);
-        for (std::int32_t const other : found_) {
-            Vector3<Real> const apart = from_centre(centre, other);
-            if (dot<Real>(apart, apart) >= reach_ * reach_) continue;
-            append(ball, other);
-            append(other, ball);
+        bins_.collect_around(lattice_.cell_at(place_of(own)), found_);
+        found_.pad(ball, screen_lanes);
+        for (std::size_t first = 0; first < found_.size(); first += screen_lanes) {
+            std::int32_t const* const sixteen = found_.begin() + first;
+            Quads const other = load_quads<4>(centre_.front().data(), sixteen);
+            Floats const x = apart(other.x - own[0]), y = apart(other.y - own[1]),
+                         z = apart(other.z - own[2]);
+            Integers const near =
+                (x * x + y * y + z * z < reach_ * reach_) & (load_sixteen(sixteen) != ball);
+            std::int32_t chosen[screen_lanes];
+            int count = 0;
+            for (int lane = 0; lane < screen_lanes; ++lane) {
+                chosen[count] = sixteen[lane];
+                count -= near[lane]; // true is -1
+            }
+            for (int k = 0; k < count; ++k) {
+                append(ball, chosen[k]);
+                append(chosen[k], ball);
+            }
         }
     }
 
@@ -126,28 +194,35 @@ private:
         while (length > 0) {
             std::int32_t const other = row(ball)[--length];
             row(ball)[length] = ball;
-            auto& other_length = length_[static_cast<std::size_t>(other)];
-            std::int32_t* const begin = row(other);
-            std::int32_t* const end = begin + other_length--;
-            *std::find(begin, end, ball) = *(end - 1);
-            *(end - 1) = other;
+            std::int32_t* const others = row(other);
+            std::int32_t const last = --length_[static_cast<std::size_t>(other)];
+            others[place_in(others, ball)] = others[last];
+            others[last] = other;
+        }
+    }
+
+    /// Where a ball stands in a row that holds it once.
+    std::int32_t place_in(std::int32_t const* row, std::int32_t ball) const {
+        for (std::int32_t first = 0;; first += screen_lanes) {
+            Integers const here = load_sixteen(row + first) == ball;
+            std::int32_t const place = least_of(here ? lane_numbers() : Integers{} + screen_lanes);
+            if (place < screen_lanes) return first + place;
         }
     }
 
     void append(std::int32_t ball, std::int32_t other) {
         auto& length = length_[static_cast<std::size_t>(ball)];
-        if (static_cast<std::size_t>(length) == width_) widen(width_ + lane_count);
+        if (static_cast<std::size_t>(length) == width_) widen(width_ + 16);
         row(ball)[length++] = other;
     }
 
     /// Room for longer lists, for all balls: what follows a list is padding, the ball itself.
     void widen(std::size_t width) {
-        std::vector<std::int32_t> wider(length_.size() * width);
+        auto wider = large_vector<Line>(length_.size() * width / screen_lanes);
         for (std::size_t i = 0; i < length_.size(); ++i) {
-            auto const to = wider.begin() + static_cast<std::ptrdiff_t>(i * width);
+            std::int32_t* const to = wider.front().data() + i * width;
             std::fill_n(to, width, static_cast<std::int32_t>(i));
-            auto const from = list_.begin() + static_cast<std::ptrdiff_t>(i * width_);
-            std::copy_n(from, std::min(width_, list_.size()), to);
+            if (!list_.empty()) std::copy_n(row(static_cast<std::int32_t>(i)), width_, to);
         }
         list_.swap(wider);
         width_ = width;
@@ -155,12 +230,14 @@ private:
 
     Container cube_;
     Real radius_; // of a shell
-    Real reach_;  // between the centres of two shells whose balls might touch
+    float reach_; // between the centres of two shells whose balls might touch  [diameters]
+    Real diameter_, per_diameter_;
+    float side_, inverse_side_; // of the cube  [diameters]
     CellLattice<Real> lattice_;
     CellBins bins_;
-    std::vector<Vector3<Real>> centre_;
+    std::vector<Centre> centre_;
     std::vector<std::int32_t> length_;
-    std::vector<std::int32_t> list_; // one row of width_ a ball
+    std::vector<Line> list_; // one row of width_ balls each
     std::size_t width_ = 0;
     BallBuffer found_; // reused
 };

@@ -2,7 +2,9 @@
 // The earliest contact of one ball with any of its candidates.
 
 #include "prediction/contact.hpp"
+#include "prediction/screen.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,12 +27,13 @@ template <class Real, class Container, class Model> struct Scenery {
     Container const& cube;
     Model const& model;
     bool several_images; // the box is so small that a pair can touch through more than one image
+    Screen<Container> const* screen = nullptr; // where one is kept: of double records alone
 };
 
 /// Time of the contact of balls i and j through any image; NaN when they never touch.
 template <class Real, class Container, class Model>
-Real contact_time(Scenery<Real, Container, Model> const& scenery, std::int32_t i, std::int32_t j,
-                  Real now) {
+[[gnu::always_inline]] inline Real contact_time(Scenery<Real, Container, Model> const& scenery,
+                                                std::int32_t i, std::int32_t j, Real now) {
     auto const& balls = scenery.balls;
     auto const index = [](std::int32_t ball) { return static_cast<std::size_t>(ball); };
     Pair<Real> const nearest = pair_of(balls[index(i)], balls[index(j)], scenery.cube, now);
@@ -156,13 +159,86 @@ Contact<Real> earliest_by_eights(Scenery<Real, Container, Model> const& scenery,
     return tied ? earliest_one_by_one(scenery, i, candidates, now) : winner;
 }
 
+/// The earliest contact of one ball: sixteen candidates at a time through the screen, and exactly
+/// those that might be first. `candidates` is padded with the ball itself to a whole number of
+/// sixteens, one at least.
+template <class Container, class Model> class ScreenedSearch {
+public:
+    using Scene = Scenery<double, Container, Model>;
+
+    /// Looks at the first sixteen: nothing but arithmetic, so that a processor works on the
+    /// searches of two balls at once.
+    [[gnu::always_inline]] ScreenedSearch(Scene const& scenery, std::int32_t ball,
+                                          std::span<std::int32_t const> candidates, double now)
+        : scenery_(scenery), ball_(ball), candidates_(candidates), now_(now),
+          keys_(scenery.screen->keys(ball, candidates.data(), now)) {}
+
+    /// Only contacts that are not later than `limit` are of interest.
+    void set_limit(double limit) { last_ = scenery_.screen->key_at(limit); }
+
+    [[gnu::always_inline]] void take_first() {
+        std::int32_t const key = least_of(keys_);
+        std::int32_t const lane = key & (lanes - 1);
+        std::int32_t const other = candidates_[static_cast<std::size_t>(lane)];
+        double const time = contact_time(scenery_, ball_, other, now_);
+        if (time < best_.time) best_ = {time, other};
+        keys_ = Screen<Container>::without(keys_, lane);
+        last_ = scenery_.screen->key_at(best_.time);
+    }
+
+    Contact<double> take_rest() {
+        for (std::size_t first = 0;;) {
+            for (std::int32_t key = least_of(keys_); key <= last_; key = least_of(keys_)) {
+                std::int32_t const lane = key & (lanes - 1);
+                take(candidates_[first + static_cast<std::size_t>(lane)]);
+                keys_ = Screen<Container>::without(keys_, lane);
+            }
+            first += lanes;
+            if (first >= candidates_.size()) return best_;
+            keys_ = scenery_.screen->keys(ball_, candidates_.data() + first, now_);
+        }
+    }
+
+private:
+    static constexpr std::int32_t lanes = screen_lanes;
+
+    void take(std::int32_t other) {
+        double const time = contact_time(scenery_, ball_, other, now_);
+        if (time < best_.time ||
+            (time == best_.time && best_.ball != no_ball && number(other) < number(best_.ball))) {
+            best_ = {time, other};
+            last_ = scenery_.screen->key_at(time);
+        }
+    }
+    std::int32_t number(std::int32_t ball) const {
+        return scenery_.numbers[static_cast<std::size_t>(ball)];
+    }
+
+    Scene const& scenery_;
+    std::int32_t ball_;
+    std::span<std::int32_t const> candidates_;
+    double now_;
+    Contact<double> best_;
+    typename Screen<Container>::Keys keys_;
+    std::int32_t last_ = 0;
+};
+
 /// The earliest contact of ball i with the candidates (padded as above), at or after the later of
 /// each pair's records.
-///   now  the present offset: it picks the images and nothing else
+///   now    the present offset: it picks the images and nothing else
+///   limit  contacts that are later may be left out
 template <class Real, class Container, class Model>
 Contact<Real> earliest_contact(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
-                               std::span<std::int32_t const> candidates, Real now) {
+                               std::span<std::int32_t const> candidates, Real now,
+                               [[maybe_unused]] Real limit = infinity<Real>) {
     if constexpr (has_lanes<Real>) {
+        if constexpr (std::is_same_v<Real, double> && !Model::grows) {
+            if (scenery.screen) {
+                ScreenedSearch search(scenery, i, candidates, now);
+                search.set_limit(limit);
+                return search.take_rest();
+            }
+        }
         if (!scenery.several_images) {
             // The newest record spares a quarter of the arithmetic and gives the same bits.
             if (scenery.balls[static_cast<std::size_t>(i)].time == now)
@@ -171,6 +247,23 @@ Contact<Real> earliest_contact(Scenery<Real, Container, Model> const& scenery, s
         }
     }
     return earliest_one_by_one(scenery, i, candidates, now);
+}
+
+/// The earliest contacts of two balls.
+template <class Real, class Container, class Model>
+[[gnu::always_inline]] inline std::array<Contact<Real>, 2>
+earliest_contacts(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                  std::span<std::int32_t const> of_i, std::int32_t j,
+                  std::span<std::int32_t const> of_j, Real now) {
+    if constexpr (std::is_same_v<Real, double> && !Model::grows) {
+        if (scenery.screen) {
+            ScreenedSearch search_i(scenery, i, of_i, now), search_j(scenery, j, of_j, now);
+            search_i.take_first();
+            search_j.take_first();
+            return {search_i.take_rest(), search_j.take_rest()};
+        }
+    }
+    return {earliest_contact(scenery, i, of_i, now), earliest_contact(scenery, j, of_j, now)};
 }
 
 } // namespace clack

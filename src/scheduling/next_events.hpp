@@ -1,6 +1,7 @@
 #pragma once
 // The report's array of next collisions, and the total order that every queue keeps.
 
+#include "state/huge_pages.hpp"
 #include "state/real.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ template <class Real> class NextEvents {
 public:
     /// `numbers` are the permanent numbers of the balls, as they stand in memory at any time.
     explicit NextEvents(std::vector<std::int32_t> const& numbers)
-        : events_(numbers.size()), numbers_(numbers) {}
+        : events_(large_vector<NextEvent<Real>>(numbers.size())), numbers_(numbers) {}
 
     std::size_t size() const { return events_.size(); }
     NextEvent<Real>& operator[](std::int32_t ball) {

@@ -48,8 +48,11 @@ std::size_t expected_bytes(System const& system, Method method, Precision precis
     std::size_t per_ball = 8 * number + 3 * number + 4 + 12 * sizeof(double);
     if (system.boundary == Boundary::periodic) per_ball += 12;
     if (choice.search != SearchKind::every_pair) per_ball += 61;
-    if (choice.search == SearchKind::neighbour_list) per_ball += 3 * number + 164;
-    if (choice.queue != QueueKind::collision_table) per_ball += 20;
+    if (choice.search == SearchKind::neighbour_list) per_ball += 150;
+    if (choice.search != SearchKind::every_pair && precision == Precision::double_)
+        per_ball += sizeof(Sketch);
+    if (choice.queue == QueueKind::binary_heap) per_ball += 20;
+    if (choice.queue == QueueKind::calendar) per_ball += 80;
     constexpr std::size_t program = 32u << 20;
     return program + per_ball * static_cast<std::size_t>(system.count);
 }

@@ -8,6 +8,7 @@
 #include "scheduling/event_queue.hpp"
 #include "simulation/engine.hpp"
 #include "simulation/laws.hpp"
+#include "simulation/look_ahead.hpp"
 #include "state/ball_state.hpp"
 
 #include <concepts>
@@ -35,6 +36,7 @@ public:
         : state_(std::move(state)), model_(std::move(model)), next_(state_.numbers),
           search_(model_.as_searched(state_.system), state_.cube), queue_(next_.size()),
           laws_(state_.system, state_.clock.length),
+          screen_(model_.as_searched(state_.system), state_.clock.length),
           several_images_(touches_through_several_images(state_.system)) {
         rebuild();
     }
@@ -60,6 +62,10 @@ public:
                 begin_epoch();
                 continue;
             }
+            if constexpr (can_look_ahead) {
+                if (state_.count() >= LookAhead::outgrows_cache)
+                    look_ahead_.look(state_, next_, search_, queue_, screen_);
+            }
             laws_.time_goes_on(clock_, time);
             clock_.offset = time;
             take(ball, observe);
@@ -77,15 +83,25 @@ public:
     BallState<Real, Container<Real>> const& state() const { return state_; }
 
     std::size_t bytes() const {
-        return state_.bytes() + next_.bytes() + search_.bytes() + queue_.bytes();
+        return state_.bytes() + next_.bytes() + search_.bytes() + queue_.bytes() + screen_.bytes();
     }
 
 private:
     static constexpr bool periodic = Container<Real>::boundary == Boundary::periodic;
+    static constexpr bool can_screen = std::is_same_v<Real, double> && !Model<Real>::grows;
+    static constexpr bool can_look_ahead =
+        can_screen && LookAhead::possible<Search<Real, Container<Real>>, Queue<Real>>;
+
+    bool screens() const { return can_screen && search_.nearest_image_is_clear(); }
+    void draw(std::int32_t ball) {
+        if constexpr (can_screen)
+            if (screens()) screen_.draw(ball, state_[ball]);
+    }
 
     auto scenery() const {
-        return Scenery<Real, Container<Real>, Model<Real>>{state_.balls, state_.numbers,
-                                                           state_.cube, model_, several_images_};
+        return Scenery<Real, Container<Real>, Model<Real>>{
+            state_.balls, state_.numbers,  state_.cube,
+            model_,       several_images_, screens() ? &screen_ : nullptr};
     }
 
     // --- one event
@@ -126,8 +142,7 @@ private:
             observe(collision(CollisionKind::ball, i, next_.number(j), state_[j].velocity,
                               separation, impulse));
         }
-        predict(i);
-        predict(j);
+        predict_both(i, j);
         if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(i, j);
     }
 
@@ -157,7 +172,8 @@ private:
     /// found stays unless one of them comes first.
     void refresh(std::int32_t ball) {
         auto const fresh = search_.refresh(state_.balls, ball, clock_.offset);
-        Contact<Real> const found = earliest_contact(scenery(), ball, fresh, clock_.offset);
+        Contact<Real> const found =
+            earliest_contact(scenery(), ball, fresh, clock_.offset, next_[ball].contact);
         next_[ball].expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
         bool const first =
             found.ball != no_ball && next_.contact_precedes(found.time, ball, found.ball);
@@ -174,9 +190,10 @@ private:
 
     /// The next event of one ball from all its candidates and the walls.
     NextEvent<Real> next_event(std::int32_t ball) {
-        Real const now = clock_.offset;
-        Contact<Real> const found =
-            earliest_contact(scenery(), ball, search_.candidates(ball), now);
+        return next_event(
+            ball, earliest_contact(scenery(), ball, search_.candidates(ball), clock_.offset));
+    }
+    NextEvent<Real> next_event(std::int32_t ball, Contact<Real> const& found) {
         NextEvent<Real> event;
         if (found.ball != no_ball) event = {found.time, infinity<Real>, found.ball};
         if constexpr (!periodic) {
@@ -186,14 +203,31 @@ private:
                 event.partner = wall_partner(wall.wall);
             }
         }
-        event.expiry = model_.expiry(search_.expiry(state_.balls, ball, now));
+        event.expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
         return event;
     }
 
     void predict(std::int32_t ball) {
+        draw(ball);
         next_[ball] = next_event(ball);
         queue_.update(next_, ball);
         tell_partner(ball);
+    }
+
+    /// Two balls that have collided.
+    void predict_both(std::int32_t i, std::int32_t j) {
+        draw(i);
+        draw(j);
+        auto const found = earliest_contacts(scenery(), i, search_.candidates(i), j,
+                                             search_.candidates(j), clock_.offset);
+        __builtin_prefetch(&next_[std::max(found[0].ball, 0)]);
+        __builtin_prefetch(&next_[std::max(found[1].ball, 0)]);
+        next_[i] = next_event(i, found[0]);
+        queue_.update(next_, i); // a queue hears of one change at a time
+        next_[j] = next_event(j, found[1]);
+        queue_.update(next_, j);
+        tell_partner(i);
+        tell_partner(j);
     }
 
     /// The ball that this one is now going to hit takes note if that comes before its own plans.
@@ -230,8 +264,11 @@ private:
     void rebuild() {
         state_.put_in_memory_order();
         search_.rebuild(state_.balls, clock_.offset);
+        if (screens()) screen_.resize(state_.balls.size());
+        for (std::int32_t ball = 0; ball < state_.count(); ++ball) draw(ball);
         for (std::int32_t ball = 0; ball < state_.count(); ++ball) next_[ball] = next_event(ball);
         queue_.rebuild(next_, clock_.offset);
+        look_ahead_.restart();
     }
 
     Collision<Real> collision(CollisionKind kind, std::int32_t first, std::int64_t second,
@@ -258,7 +295,9 @@ private:
     Search<Real, Container<Real>> search_;
     Queue<Real> queue_;
     Laws<Real> laws_;
+    Screen<Container<Real>> screen_;
     bool several_images_;
+    LookAhead look_ahead_;
 };
 
 } // namespace clack

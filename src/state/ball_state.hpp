@@ -4,6 +4,7 @@
 #include "state/ball.hpp"
 #include "state/checkpoint.hpp"
 #include "state/clock.hpp"
+#include "state/huge_pages.hpp"
 #include "state/limbs.hpp"
 #include "state/memory_order.hpp"
 #include "state/snapshot.hpp"
@@ -41,7 +42,8 @@ template <class Real, class Container> struct BallState {
     /// Writes a record anew at a later time of the same flight.
     void fly_to(std::int32_t ball, Real time) {
         Ball<Real>& flight = (*this)[ball];
-        flight.point = flight.position(time);
+        Real const flown = time - flight.time;
+        for (int d = 0; d < 3; ++d) flight.point[d] += flight.velocity[d] * flown;
         flight.time = time;
         if constexpr (periodic) {
             auto const laps = cube.wrap(flight.point);
@@ -89,8 +91,10 @@ template <class Real, class Container> struct BallState {
 
 template <class Real, class Container>
 BallState<Real, Container>::BallState(System const& of, Start const& start, double epoch_length)
-    : system(of), cube(of), balls(static_cast<std::size_t>(of.count)), numbers(balls.size()),
-      images(periodic ? balls.size() : 0), clock{epoch_length, 0, 0} {
+    : system(of), cube(of), balls(large_vector<Ball<Real>>(static_cast<std::size_t>(of.count))),
+      numbers(large_vector<std::int32_t>(balls.size())),
+      images(large_vector<std::array<std::int32_t, 3>>(periodic ? balls.size() : 0)),
+      clock{epoch_length, 0, 0} {
     std::iota(numbers.begin(), numbers.end(), 0);
     for (std::int32_t i = 0; i < count(); ++i) {
         Ball<Real>& ball = (*this)[i];
@@ -108,8 +112,10 @@ BallState<Real, Container>::BallState(System const& of, Start const& start, doub
 
 template <class Real, class Container>
 BallState<Real, Container>::BallState(System const& of, Checkpoint const& checkpoint)
-    : system(of), cube(of), balls(static_cast<std::size_t>(of.count)), numbers(balls.size()),
-      images(periodic ? balls.size() : 0), tallies(checkpoint.tallies) {
+    : system(of), cube(of), balls(large_vector<Ball<Real>>(static_cast<std::size_t>(of.count))),
+      numbers(large_vector<std::int32_t>(balls.size())),
+      images(large_vector<std::array<std::int32_t, 3>>(periodic ? balls.size() : 0)),
+      tallies(checkpoint.tallies) {
     std::iota(numbers.begin(), numbers.end(), 0);
     std::size_t position = 0;
     clock = {checkpoint.epoch_length, checkpoint.epoch,

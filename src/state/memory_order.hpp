@@ -3,6 +3,7 @@
 // leaves no trace in the run.
 
 #include "state/ball.hpp"
+#include "state/huge_pages.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -48,7 +49,7 @@ std::vector<std::int32_t> memory_order(std::vector<Ball<Real>> const& balls, Rea
 template <class Item>
 void reorder(std::vector<Item>& items, std::vector<std::int32_t> const& order) {
     std::vector<Item> moved;
-    moved.reserve(items.size());
+    reserve_large(moved, items.size());
     for (std::int32_t const from : order) moved.push_back(items[static_cast<std::size_t>(from)]);
     items.swap(moved);
 }

@@ -161,12 +161,15 @@ BOOST_AUTO_TEST_CASE(a_crowded_cell_holds_any_number) {
         (void)cell;
     }
     for (std::int32_t x = 0; x < 3; ++x) {
-        BallBuffer found;
-        bins.collect_block({x, 1, 1}, {0, 0, 0}, {0, 0, 0}, found);
+        BallBuffer found; // the face of cells that holds the cell in question and empty ones
+        bins.collect_beyond({x == 1 ? 0 : 1, 1, 1}, 0, x == 0 ? -1 : 1, found);
         std::vector<std::int32_t> got(found.begin(), found.end()), wanted;
         std::sort(got.begin(), got.end());
         for (std::int32_t ball = 0; ball < 500; ++ball)
             if (where[static_cast<std::size_t>(ball)][0] == x) wanted.push_back(ball);
         BOOST_TEST(got == wanted, boost::test_tools::per_element());
     }
+    BallBuffer all;
+    bins.collect_around({1, 1, 1}, all);
+    BOOST_TEST(all.size() == 500u);
 }

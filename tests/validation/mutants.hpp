@@ -23,6 +23,7 @@ template <class Real> struct WiderBalls : ElasticBalls<Real> {
         return system;
     }
     explicit WiderBalls(System const& system) : ElasticBalls<Real>(widened(system)) {}
+    System as_searched(System const& system) const { return widened(system); }
 };
 
 /// An impulse wrong by 1e-4. Too weak rather than too strong: the balls slow down, whereas growing

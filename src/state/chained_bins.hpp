@@ -1,0 +1,109 @@
+#pragma once
+// Many small bins of balls in one allocation: book-keeping only, no physics.
+
+#include "state/huge_pages.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace clack {
+
+/// A bin is a block of `places` and, when that is full, a chain of further blocks from a pool:
+/// nothing can overflow, and emptied blocks are used again.
+template <std::int32_t places> class ChainedBins {
+public:
+    struct Block {
+        std::int32_t count = 0;
+        std::int32_t more = end_of_chain;
+        std::array<std::int32_t, places> ball{};
+    };
+    static constexpr std::int32_t end_of_chain = -1;
+
+    /// So many bins, all empty.
+    void reset(std::size_t bins) {
+        reserve_large(blocks_, bins + bins / 8);
+        blocks_.assign(bins, Block{});
+        free_ = end_of_chain;
+    }
+
+    void insert(std::size_t bin, std::int32_t ball) {
+        while (blocks_[bin].count == places) {
+            if (blocks_[bin].more == end_of_chain) {
+                std::int32_t const fresh = take_block();
+                blocks_[bin].more = fresh;
+            }
+            bin = static_cast<std::size_t>(blocks_[bin].more);
+        }
+        Block& room = blocks_[bin];
+        room.ball[static_cast<std::size_t>(room.count++)] = ball;
+    }
+
+    /// The last ball of the chain takes the place that becomes free.
+    void remove(std::size_t bin, std::int32_t ball) {
+        std::size_t last = bin, before = bin, found = bin;
+        std::size_t place = find(blocks_[bin], ball);
+        while (blocks_[last].more != end_of_chain) {
+            before = last;
+            last = static_cast<std::size_t>(blocks_[last].more);
+            if (place == static_cast<std::size_t>(blocks_[found].count)) {
+                found = last;
+                place = find(blocks_[last], ball);
+            }
+        }
+        Block& tail = blocks_[last];
+        blocks_[found].ball[place] = tail.ball[static_cast<std::size_t>(--tail.count)];
+        if (tail.count == 0 && last != before) {
+            blocks_[before].more = end_of_chain;
+            give_back(static_cast<std::int32_t>(last));
+        }
+    }
+
+    /// Empties a bin into visit(ball), one after the other. What is visited may be inserted anew,
+    /// into this bin too.
+    template <class Visit> void drain(std::size_t bin, Visit&& visit) {
+        Block block = blocks_[bin];
+        blocks_[bin].count = 0;
+        blocks_[bin].more = end_of_chain;
+        for (;;) {
+            for (std::int32_t k = 0; k < block.count; ++k)
+                visit(block.ball[static_cast<std::size_t>(k)]);
+            if (block.more == end_of_chain) return;
+            std::int32_t const next = block.more;
+            block = blocks_[static_cast<std::size_t>(next)];
+            give_back(next);
+        }
+    }
+
+    Block const& block(std::size_t bin) const { return blocks_[bin]; }
+    std::size_t bytes() const { return blocks_.capacity() * sizeof(Block); }
+
+private:
+    static std::size_t find(Block const& block, std::int32_t ball) {
+        std::size_t place = 0;
+        while (place < static_cast<std::size_t>(block.count) && block.ball[place] != ball) ++place;
+        return place;
+    }
+
+    std::int32_t take_block() {
+        if (free_ != end_of_chain) {
+            std::int32_t const block = free_;
+            free_ = blocks_[static_cast<std::size_t>(block)].more;
+            blocks_[static_cast<std::size_t>(block)] = Block{};
+            return block;
+        }
+        blocks_.emplace_back();
+        return static_cast<std::int32_t>(blocks_.size() - 1);
+    }
+
+    void give_back(std::int32_t block) {
+        blocks_[static_cast<std::size_t>(block)].more = free_;
+        free_ = block;
+    }
+
+    std::int32_t free_ = end_of_chain;
+    std::vector<Block> blocks_;
+};
+
+} // namespace clack

@@ -1,0 +1,157 @@
+// The screen errs on the side of caution only: no contact comes before its bound, whatever the
+// scales, and the search behind it finds what looking at each candidate finds.
+
+#include "prediction/earliest.hpp"
+#include "resolution/elastic_balls.hpp"
+#include "tests/made_up_balls.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <numeric>
+
+using namespace clack;
+using made_up::uniform;
+
+namespace {
+
+/// A crowd of sixteens about ball 0: from touching to far, from slow to fast, one in four on a
+/// course that grazes it. Scales of length and time are powers of two, from tiny to huge.
+template <template <class> class Container> struct Crowd {
+    static constexpr std::size_t count = 48;
+    double length, epoch;
+    System system;
+    Container<double> cube;
+    std::vector<Ball<double>> balls;
+    std::vector<std::int32_t> numbers;
+    ElasticBalls<double> model;
+    Screen<Container<double>> screen;
+    double now;
+
+    explicit Crowd(std::mt19937_64& random)
+        : length(scale(random)),
+          epoch(scale(random)), system{.boundary = Container<double>::boundary,
+                                       .side = length * uniform(random, 12, 200),
+                                       .count = count,
+                                       .diameter = length},
+          cube(system), balls(count), numbers(count), model(system), screen(system, epoch),
+          now(epoch * uniform(random)) {
+        std::iota(numbers.begin(), numbers.end(), 0);
+        for (std::size_t k = 0; k < count; ++k) place(balls[k], k, random);
+        screen.resize(count);
+        for (std::size_t k = 0; k < count; ++k) screen.draw(static_cast<std::int32_t>(k), balls[k]);
+    }
+
+    auto scenery() const {
+        return Scenery<double, Container<double>, ElasticBalls<double>>{balls, numbers, cube,
+                                                                        model, false,   &screen};
+    }
+
+private:
+    static double scale(std::mt19937_64& random) {
+        return std::pow(2.0, std::floor(uniform(random, -40, 40)));
+    }
+
+    void place(Ball<double>& ball, std::size_t k, std::mt19937_64& random) {
+        double const speed = length / epoch * std::pow(10.0, uniform(random, -2, 3));
+        Vector3<double> const middle = Vector3<double>::Constant(system.side / 2);
+        Vector3<double> const aside = made_up::in_cube(random, -1, 1).normalized();
+        double const farthest = std::log10(system.side / length / 8);
+        double const away = 1 + std::pow(10.0, uniform(random, -16, farthest));
+        ball.time = now * (k % 3 == 0 ? 1 : uniform(random));
+        ball.velocity = made_up::in_cube(random, -1, 1) * speed;
+        Vector3<double> there = k == 0 ? middle : Vector3<double>(middle + length * away * aside);
+        if (k % 4 == 1) { // passes ball 0 at a diameter, a hair more or less
+            Vector3<double> across = made_up::in_cube(random, -1, 1);
+            across = (across - aside * aside.dot(across)).normalized();
+            ball.velocity = balls[0].velocity - across * speed;
+            double const hair =
+                1 + uniform(random, -1, 1) * std::pow(10.0, uniform(random, -16, -3));
+            there = middle + length * (hair * aside +
+                                       std::pow(10.0, uniform(random, -1, farthest)) * across);
+        }
+        ball.point = there - ball.velocity * (now - ball.time);
+    }
+};
+
+template <template <class> class Container> void bounds_hold(unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::vector<std::int32_t> candidates(Crowd<Container>::count);
+    std::iota(candidates.begin(), candidates.end(), 0);
+    int contacts = 0, passed = 0;
+    for (int k = 0; k < 4000; ++k) {
+        Crowd<Container> const crowd(random);
+        auto const scenery = crowd.scenery();
+        for (std::size_t first = 0; first < candidates.size(); first += screen_lanes) {
+            auto const keys = crowd.screen.keys(0, candidates.data() + first, crowd.now);
+            for (int lane = 0; lane < screen_lanes; ++lane) {
+                auto const j = static_cast<std::int32_t>(first) + lane;
+                if (j == 0) continue;
+                double const time = contact_time(scenery, 0, j, crowd.now);
+                if (keys[lane] == crowd.screen.never) ++passed;
+                if (!(time <= crowd.epoch)) continue;
+                ++contacts;
+                BOOST_TEST_REQUIRE(keys[lane] <= crowd.screen.key_at(time));
+            }
+        }
+    }
+    // It must have had something to say, and it must not let everything through.
+    BOOST_TEST(contacts > 10'000);
+    BOOST_TEST(passed > 40'000);
+}
+
+template <template <class> class Container> void search_finds_the_same(unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::vector<std::int32_t> candidates(Crowd<Container>::count);
+    std::iota(candidates.begin(), candidates.end(), 0);
+    for (int k = 0; k < 4000; ++k) {
+        Crowd<Container> const crowd(random);
+        auto const scenery = crowd.scenery();
+        auto const found = earliest_contact(scenery, 0, candidates, crowd.now);
+        auto const expected = earliest_one_by_one(scenery, 0, candidates, crowd.now);
+        if (!(expected.time <= crowd.epoch)) continue;
+        BOOST_TEST_REQUIRE(found.ball == expected.ball);
+        BOOST_TEST_REQUIRE(found.time == expected.time);
+        auto const both = earliest_contacts(scenery, 0, candidates, 1, candidates, crowd.now);
+        BOOST_TEST_REQUIRE(both[0].ball == expected.ball);
+        auto const other = earliest_one_by_one(scenery, 1, candidates, crowd.now);
+        // Unlike in a run, balls of the crowd may have flown through one another before now.
+        if (other.time >= crowd.now && other.time <= crowd.epoch)
+            BOOST_TEST_REQUIRE(both[1].ball == other.ball);
+    }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(no_contact_comes_before_its_bound) {
+    bounds_hold<WalledCube>(1);
+    bounds_hold<PeriodicCube>(2);
+}
+
+BOOST_AUTO_TEST_CASE(screened_search_finds_what_looking_at_each_finds) {
+    search_finds_the_same<WalledCube>(3);
+    search_finds_the_same<PeriodicCube>(4);
+}
+
+// Equal times go to the lower number, in whatever lane it stands.
+BOOST_AUTO_TEST_CASE(ties_go_to_the_lower_number) {
+    System const system{.boundary = Boundary::walls, .side = 20, .count = 7};
+    WalledCube<double> const cube(system);
+    std::vector<Ball<double>> balls(7);
+    std::vector<std::int32_t> numbers{3, 6, 5, 2, 4, 1, 0};
+    for (int k = 0; k < 6; ++k) { // six balls come from six sides at one speed
+        Vector3<double> const out = Vector3<double>::Unit(k / 2) * (k % 2 == 0 ? 1 : -1);
+        balls[static_cast<std::size_t>(k + 1)].point = Vector3<double>(10, 10, 10) + out * 3;
+        balls[static_cast<std::size_t>(k + 1)].velocity = -out;
+    }
+    balls[0].point = Vector3<double>(10, 10, 10);
+    ElasticBalls<double> const model(system);
+    Screen<WalledCube<double>> screen(system, 16);
+    screen.resize(7);
+    for (std::int32_t k = 0; k < 7; ++k) screen.draw(k, balls[static_cast<std::size_t>(k)]);
+    Scenery<double, WalledCube<double>, ElasticBalls<double>> const scenery{
+        balls, numbers, cube, model, false, &screen};
+    std::vector<std::int32_t> candidates{4, 1, 2, 6, 3, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    auto const found = earliest_contact(scenery, 0, candidates, 0.0);
+    BOOST_TEST(found.time == 2);
+    BOOST_TEST(found.ball == 6);
+}
