@@ -64,8 +64,7 @@ template <class Real, class Container>
     // Component by component: as Eigen's vectors these few lines were calls that took longer.
     auto const velocity = [&](int d) { return j.velocity[d] - i.velocity[d]; };
     auto const apart = [&](int d) {
-        Real const r =
-            (j.point[d] + j.velocity[d] * flown_j) - (i.point[d] + i.velocity[d] * flown_i);
+        Real r = (j.point[d] + j.velocity[d] * flown_j) - (i.point[d] + i.velocity[d] * flown_i);
         if constexpr (Container::boundary == Boundary::periodic) {
             return r - cube.image(r + velocity(d) * (now - time)) * cube.side;
         } else {
