@@ -55,22 +55,27 @@ template <class Real, class Container, class Model>
     return scenery.model.contact_time(nearest);
 }
 
-/// One candidate after the other: what eight at a time must agree with to the last bit, and what
-/// the types without a vector unit use. Equal times go to the lower number.
+/// Whether a contact with ball j comes before the best so far: equal times go to the lower number.
 template <class Real, class Container, class Model>
-Contact<Real> earliest_one_by_one(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
-                                  std::span<std::int32_t const> candidates, Real now) {
+bool comes_first(Scenery<Real, Container, Model> const& scenery, Real time, std::int32_t j,
+                 Contact<Real> const& best) {
+    if (time != best.time) return time < best.time;
     auto const number = [&](std::int32_t ball) {
         return scenery.numbers[static_cast<std::size_t>(ball)];
     };
+    return best.ball != no_ball && number(j) < number(best.ball);
+}
+
+/// One candidate after the other: what eight at a time must agree with to the last bit, and what
+/// the types without a vector unit use.
+template <class Real, class Container, class Model>
+Contact<Real> earliest_one_by_one(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                                  std::span<std::int32_t const> candidates, Real now) {
     Contact<Real> best;
     for (std::int32_t const j : candidates) {
         if (j == i) continue;
         Real const time = contact_time(scenery, i, j, now);
-        if (time < best.time ||
-            (time == best.time && best.ball != no_ball && number(j) < number(best.ball))) {
-            best = {time, j};
-        }
+        if (comes_first(scenery, time, j, best)) best = {time, j};
     }
     return best;
 }
@@ -176,9 +181,10 @@ public:
     /// Only contacts that are not later than `limit` are of interest.
     void set_limit(double limit) { last_ = scenery_.screen->key_at(limit); }
 
+    /// Predicts the first of the sixteen, whether it is one or not: no branch.
     [[gnu::always_inline]] void take_first() {
         std::int32_t const key = least_of(keys_);
-        std::int32_t const lane = key & (lanes - 1);
+        std::int32_t const lane = key & (screen_lanes - 1);
         std::int32_t const other = candidates_[static_cast<std::size_t>(lane)];
         double const time = contact_time(scenery_, ball_, other, now_);
         if (time < best_.time) best_ = {time, other};
@@ -186,32 +192,26 @@ public:
         last_ = scenery_.screen->key_at(best_.time);
     }
 
+    /// All others that might be earlier; the answer.
     Contact<double> take_rest() {
         for (std::size_t first = 0;;) {
             for (std::int32_t key = least_of(keys_); key <= last_; key = least_of(keys_)) {
-                std::int32_t const lane = key & (lanes - 1);
+                std::int32_t const lane = key & (screen_lanes - 1);
                 take(candidates_[first + static_cast<std::size_t>(lane)]);
                 keys_ = Screen<Container>::without(keys_, lane);
             }
-            first += lanes;
+            first += screen_lanes;
             if (first >= candidates_.size()) return best_;
             keys_ = scenery_.screen->keys(ball_, candidates_.data() + first, now_);
         }
     }
 
 private:
-    static constexpr std::int32_t lanes = screen_lanes;
-
     void take(std::int32_t other) {
         double const time = contact_time(scenery_, ball_, other, now_);
-        if (time < best_.time ||
-            (time == best_.time && best_.ball != no_ball && number(other) < number(best_.ball))) {
-            best_ = {time, other};
-            last_ = scenery_.screen->key_at(time);
-        }
-    }
-    std::int32_t number(std::int32_t ball) const {
-        return scenery_.numbers[static_cast<std::size_t>(ball)];
+        if (!comes_first(scenery_, time, other, best_)) return;
+        best_ = {time, other};
+        last_ = scenery_.screen->key_at(time);
     }
 
     Scene const& scenery_;
