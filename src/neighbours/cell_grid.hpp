@@ -50,13 +50,15 @@ template <class Real> struct CellLattice {
 /// Balls by cell; a ball that leaves its cell expires.
 template <class Real, class Container> class CellGrid {
 public:
-    bool nearest_image_is_clear() const {
-        return Container::boundary == Boundary::walls || lattice_.per_side > 4;
-    }
     CellGrid(System const& system, Container const& cube)
         : cube_(cube), lattice_(system, cube, system.diameter, balls_per_cell),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
           exit_(static_cast<std::size_t>(system.count)) {}
+
+    /// From five cells across on: with four, candidates may be half a side away.
+    bool nearest_image_is_clear() const {
+        return Container::boundary == Boundary::walls || lattice_.per_side > 4;
+    }
 
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
         bins_.clear();
@@ -133,7 +135,8 @@ private:
         return buffers_[turn_];
     }
     std::span<std::int32_t const> padded(BallBuffer& found, std::int32_t ball) {
-        while (found.size() == 0 || found.size() % screen_lanes != 0) found.append(ball);
+        if (found.size() == 0) found.append(ball);
+        found.pad(ball, screen_lanes);
         return {found.begin(), found.size()};
     }
 

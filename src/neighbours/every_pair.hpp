@@ -15,11 +15,13 @@ namespace clack {
 /// enough.
 template <class Real, class Container> class EveryPair {
 public:
-    static constexpr bool nearest_image_is_clear() { return false; }
     EveryPair(System const& system, Container const&)
         : everyone_(padded(static_cast<std::size_t>(system.count))), reach_(image_reach(system)) {
         std::iota(everyone_.begin(), everyone_.begin() + system.count, 0);
     }
+
+    /// All of the cube, and the report's method is to check each exactly.
+    static constexpr bool nearest_image_is_clear() { return false; }
 
     void rebuild(std::vector<Ball<Real>> const&, Real) {}
 

@@ -15,7 +15,6 @@ namespace clack {
 /// leaves its shell gets a new list about where it is, alone.
 template <class Real, class Container> class NeighbourList {
 public:
-    static constexpr bool nearest_image_is_clear() { return true; }
     NeighbourList(System const& system, Container const& cube)
         : cube_(cube), radius_(static_cast<Real>(shell_radius(system))),
           reach_(static_cast<float>(reach(system) / system.diameter)),
@@ -32,6 +31,9 @@ public:
     static bool fits(System const& system) {
         return system.boundary == Boundary::walls || system.side > 4.1 * reach(system);
     }
+
+    /// Where lists fit, those on them are within a quarter of a side.
+    static constexpr bool nearest_image_is_clear() { return true; }
 
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
         bins_.clear();
@@ -212,7 +214,7 @@ private:
 
     void append(std::int32_t ball, std::int32_t other) {
         auto& length = length_[static_cast<std::size_t>(ball)];
-        if (static_cast<std::size_t>(length) == width_) widen(width_ + 16);
+        if (static_cast<std::size_t>(length) == width_) widen(width_ + screen_lanes);
         row(ball)[length++] = other;
     }
 

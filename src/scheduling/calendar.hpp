@@ -1,20 +1,23 @@
 #pragma once
-// A queue of constant cost: a ring of time buckets, and a small heap for the one that is open.
+// A queue of constant cost: a ring of time buckets, of which one is open and sorted.
 // G. Paul, J. Comput. Phys. 221, 615 (2007); B. D. Lubachevsky, J. Comput. Phys. 94, 255 (1991).
 
 #include "scheduling/open_bucket.hpp"
 #include "state/chained_bins.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace clack {
 
 /// A ball is filed under the bucket of its next event's time and never searched or taken out: when
 /// the event changes it is filed again, and an entry that no longer holds is dropped when its
 /// bucket is opened. The buckets form a ring; an entry of a later revolution goes back to its
-/// place. The balls of the open bucket make a heap, whose entries, too, are dropped when they
-/// surface and no longer hold.
+/// place. New entries wait until the next bucket is opened, so that their bins have time to come
+/// from memory.
 template <class Real> class Calendar {
 public:
     static constexpr Staleness staleness = Staleness::found;
@@ -64,7 +67,9 @@ public:
         __builtin_prefetch(&ring_.block(static_cast<std::size_t>(bucket & mask_)));
     }
 
-    std::size_t bytes() const { return ring_.bytes() + bucket_.bytes(); }
+    std::size_t bytes() const {
+        return ring_.bytes() + bucket_.bytes() + pending_.capacity() * sizeof(pending_[0]);
+    }
 
 private:
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
@@ -142,7 +147,7 @@ private:
     ChainedBins<14> ring_; // a block is a cache line
     std::int64_t mask_;    // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;
-    std::vector<std::pair<std::size_t, std::int32_t>> pending_;
+    std::vector<std::pair<std::size_t, std::int32_t>> pending_; // bin and ball, not yet filed
     Real base_ = 0, inverse_width_ = 1;
     std::int64_t open_ = 0;
 };

@@ -11,6 +11,7 @@
 #include "simulation/look_ahead.hpp"
 #include "state/ball_state.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <type_traits>
 #include <utility>
@@ -220,8 +221,8 @@ private:
         draw(j);
         auto const found = earliest_contacts(scenery(), i, search_.candidates(i), j,
                                              search_.candidates(j), clock_.offset);
-        __builtin_prefetch(&next_[std::max(found[0].ball, 0)]);
-        __builtin_prefetch(&next_[std::max(found[1].ball, 0)]);
+        for (Contact<Real> const& contact : found) // they will be told
+            __builtin_prefetch(&next_[std::max(contact.ball, 0)]);
         next_[i] = next_event(i, found[0]);
         queue_.update(next_, i); // a queue hears of one change at a time
         next_[j] = next_event(j, found[1]);
@@ -264,8 +265,10 @@ private:
     void rebuild() {
         state_.put_in_memory_order();
         search_.rebuild(state_.balls, clock_.offset);
-        if (screens()) screen_.resize(state_.balls.size());
-        for (std::int32_t ball = 0; ball < state_.count(); ++ball) draw(ball);
+        if (screens()) {
+            screen_.resize(state_.balls.size());
+            for (std::int32_t ball = 0; ball < state_.count(); ++ball) draw(ball);
+        }
         for (std::int32_t ball = 0; ball < state_.count(); ++ball) next_[ball] = next_event(ball);
         queue_.rebuild(next_, clock_.offset);
         look_ahead_.restart();
