@@ -1,6 +1,7 @@
 #pragma once
 // Which balls are in which cell of a cubic lattice: book-keeping only, no physics.
 
+#include "state/ball.hpp"
 #include "state/chained_bins.hpp"
 #include "state/huge_pages.hpp"
 #include "state/system.hpp"
@@ -23,22 +24,18 @@ public:
     std::int32_t const* begin() const { return balls_.data(); }
     std::int32_t const* end() const { return balls_.data() + size_; }
 
-    void append(std::int32_t ball) {
-        std::int32_t* const place = room(1);
-        *place = ball;
-        ++size_;
-    }
-
     /// Where the next balls may be written, so many at most; `grow_to` then says where they end.
     std::int32_t* room(std::size_t count) {
         if (size_ + count > balls_.size()) balls_.resize(2 * (size_ + count));
         return balls_.data() + size_;
     }
     void grow_to(std::int32_t const* end) { size_ = static_cast<std::size_t>(end - balls_.data()); }
+    void grow_by(std::size_t count) { size_ += count; }
 
-    /// Fills up with one ball to a multiple of `whole`.
-    void pad(std::int32_t ball, std::size_t whole) {
-        while (size_ % whole != 0) append(ball);
+    /// Fills up with one ball to a multiple of `whole`, one at least.
+    template <std::size_t whole> void pad(std::int32_t ball) {
+        std::fill_n(room(whole), whole, ball);
+        size_ = std::max(size_ + whole - 1, whole) / whole * whole;
     }
 
     std::size_t bytes() const { return balls_.capacity() * sizeof(std::int32_t); }
@@ -51,7 +48,7 @@ private:
 /// Balls by cell.
 class CellBins {
 public:
-    using Cell = std::array<std::int32_t, 3>;
+    using Cell = std::array<std::int32_t, 4>; // three coordinates, and nothing
 
     CellBins(Boundary boundary, std::int32_t cells_per_side, std::size_t ball_count)
         : per_side_(cells_per_side), cell_of_(large_vector<Cell>(ball_count)) {
@@ -62,6 +59,13 @@ public:
     std::int32_t cells_per_side() const { return per_side_; }
     Cell const& cell_of(std::int32_t ball) const {
         return cell_of_[static_cast<std::size_t>(ball)];
+    }
+
+    Fours<double> cell_as_four(std::int32_t ball) const {
+        using Integers [[gnu::vector_size(16)]] = std::int32_t;
+        Integers loaded;
+        std::memcpy(&loaded, &cell_of(ball), sizeof loaded);
+        return __builtin_convertvector(loaded, Fours<double>);
     }
 
     void clear() { cells_.reset(cell_count_); }
@@ -76,10 +80,11 @@ public:
     /// Appends the balls of a cell and of the 26 around it.
     void collect_around(Cell const& cell, BallBuffer& balls) const {
         auto const x = lines(0, cell), y = lines(1, cell), z = lines(2, cell);
-        Copy copy(*this, balls);
-        for (std::size_t in_z : z)
-            for (std::size_t in_y : y)
-                for (std::size_t in_x : x) copy.bin(in_z + in_y + in_x);
+        collect<27>(balls, [&](auto&& append) {
+            for (std::size_t in_z : z)
+                for (std::size_t in_y : y)
+                    for (std::size_t in_x : x) append(in_z + in_y + in_x);
+        });
     }
 
     /// Appends the balls of the nine cells beyond one face of a cell's surroundings.
@@ -87,9 +92,10 @@ public:
                         BallBuffer& balls) const {
         std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
         auto const u = lines((axis + 1) % 3, cell), v = lines((axis + 2) % 3, cell);
-        Copy copy(*this, balls);
-        for (std::size_t in_u : u)
-            for (std::size_t in_v : v) copy.bin(face + in_u + in_v);
+        collect<9>(balls, [&](auto&& append) {
+            for (std::size_t in_u : u)
+                for (std::size_t in_v : v) append(face + in_u + in_v);
+        });
     }
 
     /// Hints to the memory: where a ball is, and the cells around it.
@@ -114,41 +120,33 @@ public:
     std::size_t bytes() const { return cells_.bytes() + cell_of_.capacity() * sizeof(Cell); }
 
 private:
-    static constexpr std::int32_t places = 6; // a block is half a cache line
-    static constexpr std::size_t room_around = std::size_t{27} * places;
-    using Cells = ChainedBins<places>;
+    using Cells = ChainedBins<6>; // a block is half a cache line
 
-    /// Copies bins to the end of a buffer.
-    class Copy {
-    public:
-        Copy(CellBins const& bins, BallBuffer& balls)
-            : bins_(bins), balls_(balls), end_(balls.room(room_around)) {}
-        Copy(Copy const&) = delete;
-        Copy& operator=(Copy const&) = delete;
-        ~Copy() { balls_.grow_to(end_); }
+    /// Appends the balls of so many bins: `visit` calls what it is given for each. Blocks are
+    /// copied whole, which takes neither loop nor branch, and the part that counts is kept.
+    /// Measured at packing fraction 0.05: a seventh of all instructions saved.
+    template <std::size_t bins, class Visit> void collect(BallBuffer& balls, Visit&& visit) const {
+        std::int32_t* end = balls.room(bins * sizeof(Cells::Block) / sizeof(std::int32_t));
+        std::int32_t more = Cells::end_of_chain;
+        visit([&](std::size_t bin) {
+            Cells::Block const& block = cells_.block(bin);
+            std::memcpy(end, &block, sizeof block);
+            end += block.count;
+            more &= block.more;
+        });
+        balls.grow_to(end);
+        if (more != Cells::end_of_chain) visit([&](std::size_t bin) { collect_chain(bin, balls); });
+    }
 
-        void bin(std::size_t bin) {
-            Cells::Block const* block = &bins_.cells_.block(bin);
-            append(*block);
-            while (block->more != Cells::end_of_chain) {
-                block = &bins_.cells_.block(static_cast<std::size_t>(block->more));
-                balls_.grow_to(end_);
-                end_ = balls_.room(room_around + places);
-                append(*block);
-            }
+    /// What does not fit into a bin's first block.
+    void collect_chain(std::size_t bin, BallBuffer& balls) const {
+        for (std::int32_t more = cells_.block(bin).more; more != Cells::end_of_chain;) {
+            Cells::Block const& block = cells_.block(static_cast<std::size_t>(more));
+            std::copy_n(block.ball.data(), block.count, balls.room(block.ball.size()));
+            balls.grow_by(static_cast<std::size_t>(block.count));
+            more = block.more;
         }
-
-    private:
-        /// All places are copied, which takes no loop, and those that count are kept.
-        void append(Cells::Block const& block) {
-            std::memcpy(end_, block.ball.data(), sizeof block.ball);
-            end_ += block.count;
-        }
-
-        CellBins const& bins_;
-        BallBuffer& balls_;
-        std::int32_t* end_;
-    };
+    }
 
     /// What the coordinates one less, the same and one more along an axis add to a cell's index.
     std::array<std::size_t, 3> lines(std::size_t axis, Cell const& cell) const {

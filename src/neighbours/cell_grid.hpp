@@ -4,7 +4,7 @@
 #include "neighbours/cell_bins.hpp"
 #include "neighbours/every_pair.hpp"
 #include "neighbours/neighbour_search.hpp"
-#include "prediction/sixteen.hpp"
+#include "prediction/lanes.hpp"
 #include "state/container.hpp"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ template <class Real> struct CellLattice {
     CellLattice(System const& system, Container const& cube, double width, double balls_per_cell) {
         double const extent = static_cast<double>(cube.extent());
         // Wider by what rounding can move a ball, so that none is met from two cells away.
-        double const rounding =
-            1024 * static_cast<double>(unit_roundoff<Real>) * (system.diameter + system.side);
+        double const unit = std::max(static_cast<double>(unit_roundoff<Real>), 0x1p-53);
+        double const rounding = 1024 * unit * (system.diameter + system.side);
         double const wanted =
             std::cbrt(balls_per_cell / static_cast<double>(system.count)) * extent;
         double const cells = std::floor(extent / std::max(width + rounding, wanted));
@@ -38,7 +38,7 @@ template <class Real> struct CellLattice {
     }
 
     CellBins::Cell cell_at(Vector3<Real> const& place) const {
-        CellBins::Cell cell;
+        CellBins::Cell cell{};
         for (int d = 0; d < 3; ++d) {
             auto const raw = static_cast<std::int32_t>((place[d] - origin) * inverse_side);
             cell[static_cast<std::size_t>(d)] = std::clamp(raw, 0, per_side - 1);
@@ -53,12 +53,10 @@ public:
     CellGrid(System const& system, Container const& cube)
         : cube_(cube), lattice_(system, cube, system.diameter, balls_per_cell),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
-          exit_(static_cast<std::size_t>(system.count)) {}
-
-    /// From five cells across on: with four, candidates may be half a side away.
-    bool nearest_image_is_clear() const {
-        return Container::boundary == Boundary::walls || lattice_.per_side > 4;
-    }
+          exit_(static_cast<std::size_t>(system.count)),
+          origin_(static_cast<double>(lattice_.origin)),
+          cell_side_(static_cast<double>(lattice_.side)), side_(system.side),
+          inverse_side_(1 / system.side) {}
 
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
         bins_.clear();
@@ -70,39 +68,37 @@ public:
     }
 
     std::span<std::int32_t const> candidates(std::int32_t ball) {
-        BallBuffer& found = next_buffer();
-        bins_.collect_around(bins_.cell_of(ball), found);
-        return padded(found, ball);
+        found_.clear();
+        bins_.collect_around(bins_.cell_of(ball), found_);
+        return padded(ball);
     }
 
     /// When the ball leaves its cell. The cell is what the last crossing said, never what the
     /// coordinate says: that may lie an ulp on either side.
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
-        CellBins::Cell const& cell = bins_.cell_of(ball);
-        Real const flown = now - record.time;
-        Real first = infinity<Real>;
-        int axis = 0;
-        for (int d = 0; d < 3; ++d) {
-            // Choices, not branches: which way a ball flies cannot be foretold.
-            Real const v = record.velocity[d];
-            std::int32_t const ahead = cell[static_cast<std::size_t>(d)] + (v > 0 ? 1 : 0);
-            Real distance = lattice_.origin + static_cast<Real>(ahead) * lattice_.side -
-                            (record.point[d] + v * flown);
-            bool never = v == 0;
-            if constexpr (Container::boundary == Boundary::periodic) {
-                distance -= cube_.image(distance) * cube_.side;
-            } else {
-                never |= ahead == 0 || ahead == lattice_.per_side;
-            }
-            Real const wait = distance / v;
-            Real const when = never ? infinity<Real> : now + (wait > 0 ? wait : Real(0));
-            bool const sooner = when < first;
-            first = sooner ? when : first;
-            axis = sooner ? d : axis;
+        // Three axes at once and choices, not branches: which way a ball flies cannot be foretold.
+        using Numbers = Fours<double>;
+        double const inf = infinity<double>;
+        Numbers const v = velocity_in_double(record);
+        Numbers const place = point_in_double(record) + v * static_cast<double>(now - record.time);
+        Numbers const ahead = bins_.cell_as_four(ball) + (v > 0.0 ? Numbers{1, 1, 1} : Numbers{});
+        Numbers distance = origin_ + ahead * cell_side_ - place;
+        auto never = v == 0.0;
+        if constexpr (Container::boundary == Boundary::periodic) {
+            distance -= nearest_integer<Numbers, double>(distance * inverse_side_) * side_;
+        } else {
+            never |= (ahead == 0.0) | (ahead == static_cast<double>(lattice_.per_side));
         }
-        exit_[static_cast<std::size_t>(ball)] = static_cast<std::uint8_t>(axis);
-        return first;
+        Numbers wait = distance / v;
+        wait = wait > 0.0 ? wait : Numbers{};
+        wait = never ? Numbers{inf, inf, inf, inf} : wait;
+        std::uint8_t axis = wait[1] < wait[0] ? 1 : 0;
+        double first = wait[1] < wait[0] ? wait[1] : wait[0];
+        axis = wait[2] < first ? 2 : axis;
+        first = wait[2] < first ? wait[2] : first;
+        exit_[static_cast<std::size_t>(ball)] = axis;
+        return now + static_cast<Real>(first);
     }
 
     /// Moves the ball to the next cell along the axis it leaves by; only the nine cells behind the
@@ -116,36 +112,29 @@ public:
         cell[d] = bins_.next(cell[d], direction);
         bins_.remove(ball);
         bins_.insert(ball, cell);
-        BallBuffer& found = next_buffer();
-        bins_.collect_beyond(cell, d, direction, found);
-        return padded(found, ball);
+        found_.clear();
+        bins_.collect_beyond(cell, d, direction, found_);
+        return padded(ball);
     }
 
-    std::size_t bytes() const {
-        return bins_.bytes() + exit_.capacity() + buffers_[0].bytes() + buffers_[1].bytes();
-    }
+    std::size_t bytes() const { return bins_.bytes() + exit_.capacity() + found_.bytes(); }
 
 private:
-    // Fewer make crossings, more make candidates: the flat optimum of their cost together.
-    static constexpr double balls_per_cell = 1;
+    // Fewer make crossings, more make candidates. Measured against 1: as fast at packing fraction
+    // 0.01, 1.04 times at 0.05, 1.12 times at 0.20.
+    static constexpr double balls_per_cell = 0.6;
 
-    BallBuffer& next_buffer() {
-        turn_ = 1 - turn_;
-        buffers_[turn_].clear();
-        return buffers_[turn_];
-    }
-    std::span<std::int32_t const> padded(BallBuffer& found, std::int32_t ball) {
-        if (found.size() == 0) found.append(ball);
-        found.pad(ball, screen_lanes);
-        return {found.begin(), found.size()};
+    std::span<std::int32_t const> padded(std::int32_t ball) {
+        found_.template pad<lane_count>(ball);
+        return {found_.begin(), found_.size()};
     }
 
     Container cube_;
     CellLattice<Real> lattice_;
     CellBins bins_;
-    std::vector<std::uint8_t> exit_;    // the axis along which the ball will leave its cell
-    std::array<BallBuffer, 2> buffers_; // reused in turn
-    std::size_t turn_ = 0;
+    std::vector<std::uint8_t> exit_; // the axis along which the ball will leave its cell
+    double origin_, cell_side_, side_, inverse_side_; // an index needs no more than double
+    BallBuffer found_;                                // reused
 };
 
 } // namespace clack

@@ -6,6 +6,8 @@
 #include "state/container.hpp"
 #include "state/system.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <numeric>
 
 namespace clack {
@@ -16,16 +18,17 @@ namespace clack {
 template <class Real, class Container> class EveryPair {
 public:
     EveryPair(System const& system, Container const&)
-        : everyone_(padded(static_cast<std::size_t>(system.count))), reach_(image_reach(system)) {
-        std::iota(everyone_.begin(), everyone_.begin() + system.count, 0);
+        : count_(system.count), everyone_(padded(static_cast<std::size_t>(system.count))),
+          reach_(image_reach(system)) {
+        std::iota(everyone_.begin(), everyone_.end(), 0);
     }
-
-    /// All of the cube, and the report's method is to check each exactly.
-    static constexpr bool nearest_image_is_clear() { return false; }
 
     void rebuild(std::vector<Ball<Real>> const&, Real) {}
 
-    std::span<std::int32_t const> candidates(std::int32_t) const { return everyone_; }
+    std::span<std::int32_t const> candidates(std::int32_t ball) {
+        std::fill(everyone_.begin() + count_, everyone_.end(), ball);
+        return everyone_;
+    }
 
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) const {
         if constexpr (Container::boundary == Boundary::walls) return infinity<Real>;
@@ -34,14 +37,12 @@ public:
         return fastest > 0 ? now + reach_ / fastest : infinity<Real>;
     }
 
-    std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const&, std::int32_t,
-                                          Real) const {
-        return everyone_;
+    std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const&, std::int32_t ball, Real) {
+        return candidates(ball);
     }
 
     std::size_t bytes() const { return everyone_.capacity() * sizeof(std::int32_t); }
 
-    /// Ball 0 stands in for the padding, so it is met several times: that changes no minimum.
     static std::size_t padded(std::size_t count) {
         return (count + lane_count - 1) / lane_count * lane_count;
     }
@@ -58,7 +59,8 @@ private:
         return static_cast<Real>(slack * (sides * system.side - system.diameter) / 3);
     }
 
-    std::vector<std::int32_t> everyone_;
+    std::ptrdiff_t count_;
+    std::vector<std::int32_t> everyone_; // and padding
     Real reach_;
 };
 

@@ -2,7 +2,7 @@
 // Each ball's own list of balls near it, good until it leaves the shell around the list's centre.
 
 #include "neighbours/cell_grid.hpp"
-#include "prediction/sixteen.hpp"
+#include "prediction/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,15 @@ namespace clack {
 template <class Real, class Container> class NeighbourList {
 public:
     NeighbourList(System const& system, Container const& cube)
-        : cube_(cube), radius_(static_cast<Real>(shell_radius(system))),
+        : cube_(cube), radius2_(shell_radius(system) * shell_radius(system)),
+          wide_diameter_(system.diameter), wide_side_(system.side),
+          wide_inverse_side_(1 / system.side),
           reach_(static_cast<float>(reach(system) / system.diameter)),
           diameter_(static_cast<Real>(system.diameter)), per_diameter_(1 / diameter_),
           side_(static_cast<float>(system.side / system.diameter)), inverse_side_(1 / side_),
           lattice_(system, cube, reach(system), balls_per_cell),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
-          centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))),
-          length_(large_vector<std::int32_t>(centre_.size())) {
+          centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))) {
         widen(first_width);
     }
 
@@ -32,26 +33,20 @@ public:
         return system.boundary == Boundary::walls || system.side > 4.1 * reach(system);
     }
 
-    /// Where lists fit, those on them are within a quarter of a side.
-    static constexpr bool nearest_image_is_clear() { return true; }
-
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
         bins_.clear();
-        std::fill(length_.begin(), length_.end(), 0);
         for (std::size_t i = 0; i < balls.size(); ++i) {
             centre_[i] = centre_at(balls[i].position(now));
-            auto const ball = static_cast<std::int32_t>(i);
-            std::fill_n(row(ball), width_, ball);
-            // Lists are mutual, so each ball meets only those that came before it.
-            connect(ball);
-            bins_.insert(ball, lattice_.cell_at(place_of(centre_[i])));
+            bins_.insert(static_cast<std::int32_t>(i), lattice_.cell_at(place_of(centre_[i])));
         }
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(balls.size()); ++i)
+            write(i, near(i));
     }
 
     std::span<std::int32_t const> candidates(std::int32_t ball) const {
         std::int32_t const* const list = row(ball);
-        std::size_t end = screen_lanes;
-        while (end < width_ && list[end - 1] != ball && list[end] != ball) end += screen_lanes;
+        std::size_t end = line_balls;
+        while (end < width_ && list[end - 1] != ball && list[end] != ball) end += line_balls;
         return {list, end};
     }
 
@@ -59,25 +54,35 @@ public:
     /// cancellation.
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) const {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
-        Vector3<Real> const out = from_centre(record.position(now), ball);
-        Vector3<Real> const& v = record.velocity;
-        Real const a = dot<Real>(v, v), b = dot<Real>(out, v);
-        Real const inside = radius_ * radius_ - dot<Real>(out, out);
+        using Numbers = Fours<double>; // an index needs no more than double
+        Numbers const v = velocity_in_double(record);
+        Numbers out = point_in_double(record) + v * static_cast<double>(now - record.time) -
+                      __builtin_convertvector(centre_four(ball), Numbers) * wide_diameter_;
+        if constexpr (Container::boundary == Boundary::periodic)
+            out -= nearest_integer<Numbers, double>(out * wide_inverse_side_) * wide_side_;
+        auto const dot = [](Numbers const& x) { return x[0] + x[1] + x[2]; };
+        double const a = dot(v * v), b = dot(out * v), inside = radius2_ - dot(out * out);
         if (!(a > 0)) return infinity<Real>;
         if (!(inside > 0)) return now;
-        using std::sqrt;
-        Real const root = sqrt(b * b + a * inside);
-        return now + (b > 0 ? inside / (b + root) : (root - b) / a);
+        double const root = std::sqrt(b * b + a * inside);
+        // A choice, not a branch, of what is divided: whether it flies out cannot be foretold.
+        bool const outwards = b > 0;
+        double const dividend = outwards ? inside : root - b, divisor = outwards ? b + root : a;
+        return now + static_cast<Real>(dividend / divisor);
     }
 
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                                           Real now) {
-        disconnect(ball);
-        bins_.remove(ball);
         Centre& centre = centre_[static_cast<std::size_t>(ball)];
         centre = centre_at(balls[static_cast<std::size_t>(ball)].position(now));
-        connect(ball);
-        bins_.insert(ball, lattice_.cell_at(place_of(centre)));
+        CellBins::Cell const cell = lattice_.cell_at(place_of(centre));
+        if (cell != bins_.cell_of(ball)) {
+            bins_.remove(ball);
+            bins_.insert(ball, cell);
+        }
+        BallBuffer const& fresh = near(ball);
+        tell_others(ball, fresh);
+        write(ball, fresh);
         return candidates(ball);
     }
 
@@ -88,17 +93,13 @@ public:
         bins_.fetch(ball);
     }
     void fetch_for_refresh(std::int32_t ball) const {
-        for (std::int32_t const other : candidates(ball)) {
-            __builtin_prefetch(row(other), 1);
-            __builtin_prefetch(length_.data() + other, 1);
-        }
+        for (std::int32_t const other : candidates(ball)) __builtin_prefetch(row(other), 1);
         bins_.fetch_around(ball);
     }
 
     std::size_t bytes() const {
         return bins_.bytes() + centre_.capacity() * sizeof(Centre) +
-               length_.capacity() * sizeof(std::int32_t) + list_.capacity() * sizeof(Line) +
-               found_.bytes();
+               list_.capacity() * sizeof(Line) + found_.bytes() + near_.bytes() + added_.bytes();
     }
 
 private:
@@ -107,13 +108,22 @@ private:
     using Centre = std::array<float, 4>;
 
     /// Sixteen balls of a list: a cache line.
-    struct alignas(64) Line : std::array<std::int32_t, screen_lanes> {};
+    static constexpr std::size_t line_balls = 16;
+    struct alignas(64) Line : std::array<std::int32_t, line_balls> {};
+
+    using Distances = Lanes<float>;
+    using Balls = LaneIntegers<float>;
+    static Balls load(std::int32_t const* balls) {
+        Balls loaded;
+        std::memcpy(&loaded, balls, sizeof loaded);
+        return loaded;
+    }
 
     static constexpr double balls_per_cell = 0.7;
-    static constexpr std::size_t first_width = screen_lanes;
+    static constexpr std::size_t first_width = line_balls;
 
-    /// Thick shells make long lists, thin ones many rebuilds. Measured: best where a list just
-    /// about fills the sixteen lanes of one look.
+    /// Thick shells make long lists, thin ones many rebuilds. Measured at packing fractions 0.35 to
+    /// 0.54 with 7 to 21 balls: best where a list just about fills a line.
     static double shell_radius(System const& system) {
         constexpr double listed = 14; // balls, on average
         double const reach = std::cbrt(listed * 3 / (4 * std::numbers::pi * density(system)));
@@ -149,79 +159,95 @@ private:
         return place;
     }
 
-    Vector3<Real> from_centre(Vector3<Real> place, std::int32_t ball) const {
-        Vector3<Real> const centre = place_of(centre_[static_cast<std::size_t>(ball)]);
-        for (int d = 0; d < 3; ++d) {
-            place[d] -= centre[d];
-            if constexpr (Container::boundary == Boundary::periodic)
-                place[d] -= cube_.image(place[d]) * cube_.side;
-        }
-        return place;
+    Fours<float> centre_four(std::int32_t ball) const {
+        Fours<float> loaded;
+        std::memcpy(&loaded, centre_.data() + ball, sizeof loaded);
+        return loaded;
     }
 
     /// One component of the way between two centres, through the nearest image.
-    Floats apart(Floats distance) const {
+    Distances apart(Distances distance) const {
         if constexpr (Container::boundary == Boundary::periodic)
-            distance = distance - nearest_integer<Floats, float>(distance * inverse_side_) * side_;
+            distance -= nearest_integer<Distances, float>(distance * inverse_side_) * side_;
         return distance;
     }
 
-    void connect(std::int32_t ball) {
+    /// The balls whose shells are so near that the balls might touch, in whole lines. Which of two
+    /// balls is asked makes no difference, so that lists are mutual.
+    BallBuffer const& near(std::int32_t ball) {
         Centre const own = centre_[static_cast<std::size_t>(ball)];
         found_.clear();
-        bins_.collect_around(lattice_.cell_at(place_of(own)), found_);
-        found_.pad(ball, screen_lanes);
-        for (std::size_t first = 0; first < found_.size(); first += screen_lanes) {
-            std::int32_t const* const sixteen = found_.begin() + first;
-            Quads const other = load_quads<4>(centre_.front().data(), sixteen);
-            Floats const x = apart(other.x - own[0]), y = apart(other.y - own[1]),
-                         z = apart(other.z - own[2]);
-            Integers const near =
-                (x * x + y * y + z * z < reach_ * reach_) & (load_sixteen(sixteen) != ball);
-            std::int32_t chosen[screen_lanes];
-            int count = 0;
-            for (int lane = 0; lane < screen_lanes; ++lane) {
-                chosen[count] = sixteen[lane];
-                count -= near[lane]; // true is -1
-            }
-            for (int k = 0; k < count; ++k) {
-                append(ball, chosen[k]);
-                append(chosen[k], ball);
-            }
+        bins_.collect_around(bins_.cell_of(ball), found_);
+        found_.template pad<lane_count>(ball);
+        near_.clear();
+        std::int32_t* end = near_.room(found_.size());
+        for (std::size_t first = 0; first < found_.size(); first += lane_count) {
+            std::int32_t const* const some = found_.begin() + first;
+            auto const other = turned<float>([&](int k) { return centre_four(some[k]); });
+            Distances const x = apart(other.first - own[0]), y = apart(other.second - own[1]),
+                            z = apart(other.third - own[2]);
+            for_each_lane((x * x + y * y + z * z < reach_ * reach_) & (load(some) != ball),
+                          [&](std::size_t lane) { *end++ = some[lane]; });
+        }
+        near_.grow_to(end);
+        near_.template pad<line_balls>(ball);
+        return near_;
+    }
+
+    /// Brings the others' lists up to date with a ball's new list. Most balls were near before and
+    /// are told nothing.
+    void tell_others(std::int32_t ball, BallBuffer const& fresh) {
+        std::span<std::int32_t const> const old = candidates(ball);
+        for_each_missing(ball, old, {fresh.begin(), fresh.size()}, [&](std::int32_t other) {
+            std::size_t const place = place_in(other, ball);
+            std::size_t const last = place_in(other, other) - 1;
+            row(other)[place] = row(other)[last];
+            row(other)[last] = other;
+        });
+        // Adding may widen the rows, so the old one is read first.
+        added_.clear();
+        std::int32_t* end = added_.room(fresh.size());
+        for_each_missing(ball, {fresh.begin(), fresh.size()}, old,
+                         [&](std::int32_t other) { *end++ = other; });
+        added_.grow_to(end);
+        for (std::int32_t const other : added_) {
+            std::size_t const place = place_in(other, other);
+            if (place == width_) widen(width_ + line_balls);
+            row(other)[place] = ball;
         }
     }
 
-    void disconnect(std::int32_t ball) {
-        auto& length = length_[static_cast<std::size_t>(ball)];
-        while (length > 0) {
-            std::int32_t const other = row(ball)[--length];
-            row(ball)[length] = ball;
-            std::int32_t* const others = row(other);
-            std::int32_t const last = --length_[static_cast<std::size_t>(other)];
-            others[place_in(others, ball)] = others[last];
-            others[last] = other;
+    /// Calls visit(other) for the balls of one list that are not in a second; both in whole lines,
+    /// padded with the ball that they belong to.
+    template <class Visit>
+    static void for_each_missing(std::int32_t ball, std::span<std::int32_t const> list,
+                                 std::span<std::int32_t const> second, Visit&& visit) {
+        for (std::size_t first = 0; first < list.size(); first += lane_count) {
+            Balls const some = load(list.data() + first);
+            Balls known = some == ball;
+            for (std::int32_t const other : second) known |= some == other;
+            for_each_lane(~known, [&](std::size_t lane) { visit(list[first + lane]); });
         }
     }
 
-    /// Where a ball stands in a row that holds it once.
-    std::int32_t place_in(std::int32_t const* row, std::int32_t ball) const {
-        for (std::int32_t first = 0;; first += screen_lanes) {
-            Integers const here = load_sixteen(row + first) == ball;
-            std::int32_t const place = least_of(here ? lane_numbers() : Integers{} + screen_lanes);
-            if (place < screen_lanes) return first + place;
+    /// Where a number first stands in a ball's row: the ball itself is what follows the list.
+    std::size_t place_in(std::int32_t ball, std::int32_t number) const {
+        for (std::size_t first = 0; first < width_; first += lane_count) {
+            std::uint32_t const here = bits_of(load(row(ball) + first) == number);
+            if (here != 0) return first + static_cast<std::size_t>(__builtin_ctz(here));
         }
+        return width_;
     }
 
-    void append(std::int32_t ball, std::int32_t other) {
-        auto& length = length_[static_cast<std::size_t>(ball)];
-        if (static_cast<std::size_t>(length) == width_) widen(width_ + screen_lanes);
-        row(ball)[length++] = other;
+    void write(std::int32_t ball, BallBuffer const& list) {
+        if (list.size() > width_) widen(list.size());
+        std::fill(std::copy(list.begin(), list.end(), row(ball)), row(ball) + width_, ball);
     }
 
     /// Room for longer lists, for all balls: what follows a list is padding, the ball itself.
     void widen(std::size_t width) {
-        auto wider = large_vector<Line>(length_.size() * width / screen_lanes);
-        for (std::size_t i = 0; i < length_.size(); ++i) {
+        auto wider = large_vector<Line>(centre_.size() * width / line_balls);
+        for (std::size_t i = 0; i < centre_.size(); ++i) {
             std::int32_t* const to = wider.front().data() + i * width;
             std::fill_n(to, width, static_cast<std::int32_t>(i));
             if (!list_.empty()) std::copy_n(row(static_cast<std::int32_t>(i)), width_, to);
@@ -231,17 +257,17 @@ private:
     }
 
     Container cube_;
-    Real radius_; // of a shell
+    double radius2_; // of a shell, squared
+    double wide_diameter_, wide_side_, wide_inverse_side_;
     float reach_; // between the centres of two shells whose balls might touch  [diameters]
     Real diameter_, per_diameter_;
     float side_, inverse_side_; // of the cube  [diameters]
     CellLattice<Real> lattice_;
     CellBins bins_;
     std::vector<Centre> centre_;
-    std::vector<std::int32_t> length_;
     std::vector<Line> list_; // one row of width_ balls each
     std::size_t width_ = 0;
-    BallBuffer found_; // reused
+    BallBuffer found_, near_, added_; // reused
 };
 
 } // namespace clack

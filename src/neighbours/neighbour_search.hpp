@@ -13,8 +13,8 @@ namespace clack {
 
 /// An index over the balls, built from their records at any moment and thrown away as lightly. Two
 /// balls neither of which has expired are in each other's candidates, or cannot touch before one of
-/// them expires. Spans stay valid until the next call but one and are padded with the ball itself:
-/// to whole sixteens where the nearest image is clear, to whole eights elsewhere.
+/// them expires. Spans stay valid until the next call and are padded with the ball itself to a
+/// multiple of lane_count.
 template <class Search, class Real>
 concept NeighbourSearch = requires(Search search, std::vector<Ball<Real>> const& balls,
                                    std::int32_t ball, Real now) {
@@ -27,9 +27,6 @@ concept NeighbourSearch = requires(Search search, std::vector<Ball<Real>> const&
     /// Brings the index up to date for a ball that expired; returns the candidates that it did
     /// not have before (and possibly others).
     { search.refresh(balls, ball, now) } -> std::same_as<std::span<std::int32_t const>>;
-    /// Whether rounding cannot mistake the image through which two candidates are nearest, so that
-    /// single precision may screen them.
-    { search.nearest_image_is_clear() } -> std::same_as<bool>;
     { search.bytes() } -> std::same_as<std::size_t>;
 };
 

@@ -10,7 +10,7 @@
 namespace clack {
 
 /// A pair as its two records give it at the later of their two times: separation and relative
-/// velocity, j minus i. One pair, or eight at a time.
+/// velocity, j minus i. One pair, or one a lane.
 template <class Number> struct Pair {
     Number x, y, z, vx, vy, vz;
     Number time;
@@ -61,17 +61,26 @@ template <class Real, class Container>
                                                  Container const& cube, Real now) {
     Real const time = later(i.time, j.time);
     Real const flown_i = time - i.time, flown_j = time - j.time;
-    // Component by component: as Eigen's vectors these few lines were calls that took longer.
-    auto const velocity = [&](int d) { return j.velocity[d] - i.velocity[d]; };
-    auto const apart = [&](int d) {
-        Real r = (j.point[d] + j.velocity[d] * flown_j) - (i.point[d] + i.velocity[d] * flown_i);
-        if constexpr (Container::boundary == Boundary::periodic) {
-            return r - cube.image(r + velocity(d) * (now - time)) * cube.side;
-        } else {
-            return r;
-        }
-    };
-    return {apart(0), apart(1), apart(2), velocity(0), velocity(1), velocity(2), time};
+    if constexpr (has_lanes<Real>) {
+        // The three components at once, and a fourth that means nothing.
+        Fours<Real> const vi = velocity_four(i), vj = velocity_four(j), v = vj - vi;
+        Fours<Real> r = (point_and_time(j) + vj * flown_j) - (point_and_time(i) + vi * flown_i);
+        if constexpr (Container::boundary == Boundary::periodic)
+            r = r - cube.image(r + v * (now - time)) * cube.side;
+        return {r[0], r[1], r[2], v[0], v[1], v[2], time};
+    } else {
+        auto const velocity = [&](int d) { return j.velocity[d] - i.velocity[d]; };
+        auto const apart = [&](int d) {
+            Real r =
+                (j.point[d] + j.velocity[d] * flown_j) - (i.point[d] + i.velocity[d] * flown_i);
+            if constexpr (Container::boundary == Boundary::periodic) {
+                return r - cube.image(r + velocity(d) * (now - time)) * cube.side;
+            } else {
+                return r;
+            }
+        };
+        return {apart(0), apart(1), apart(2), velocity(0), velocity(1), velocity(2), time};
+    }
 }
 
 } // namespace clack

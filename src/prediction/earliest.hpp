@@ -2,7 +2,6 @@
 // The earliest contact of one ball with any of its candidates.
 
 #include "prediction/contact.hpp"
-#include "prediction/screen.hpp"
 
 #include <array>
 #include <cstdint>
@@ -27,7 +26,6 @@ template <class Real, class Container, class Model> struct Scenery {
     Container const& cube;
     Model const& model;
     bool several_images; // the box is so small that a pair can touch through more than one image
-    Screen<Container> const* screen = nullptr; // where one is kept: of double records alone
 };
 
 /// Time of the contact of balls i and j through any image; NaN when they never touch.
@@ -66,7 +64,7 @@ bool comes_first(Scenery<Real, Container, Model> const& scenery, Real time, std:
     return best.ball != no_ball && number(j) < number(best.ball);
 }
 
-/// One candidate after the other: what eight at a time must agree with to the last bit, and what
+/// One candidate after the other: what many at a time must agree with to the last bit, and what
 /// the types without a vector unit use.
 template <class Real, class Container, class Model>
 Contact<Real> earliest_one_by_one(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
@@ -86,7 +84,7 @@ enum class Flight {
     goes_on     // it flies since earlier: each pair has its own time
 };
 
-/// The pairs of one ball with eight others.
+/// The pairs of one ball with as many others as there are lanes.
 template <Flight flight, class Real, class Container>
 [[gnu::always_inline]] inline Pair<Lanes<Real>>
 pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& cube, Real now) {
@@ -123,15 +121,16 @@ pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& 
     return pair;
 }
 
-/// Eight candidates at a time. `candidates` is padded with i itself to a whole number of eights: a
-/// ball never touches itself, having no velocity relative to itself (unless balls grow).
+/// As many candidates at a time as there are lanes, to a multiple of which `candidates` is padded
+/// with i itself: a ball never touches itself, having no velocity relative to itself (unless balls
+/// grow).
 template <Flight flight, class Real, class Container, class Model>
-Contact<Real> earliest_by_eights(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
-                                 std::span<std::int32_t const> candidates, Real now) {
+Contact<Real> earliest_in_lanes(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                                std::span<std::int32_t const> candidates, Real now, Real limit) {
     using V = Lanes<Real>;
     using I = LaneIntegers<Real>;
     Ball<Real> const ball = scenery.balls[static_cast<std::size_t>(i)];
-    V best = broadcast(infinity<Real>);
+    V best = broadcast(limit);
     I batch{}, tie{};
     for (std::size_t first = 0; first < candidates.size(); first += lane_count) {
         BallLanes<Real> const other = load_balls(scenery.balls.data(), candidates.data() + first);
@@ -148,80 +147,16 @@ Contact<Real> earliest_by_eights(Scenery<Real, Container, Model> const& scenery,
         batch = earlier ? I{} + static_cast<decltype(batch[0] + 0)>(first) : batch;
     }
 
-    Contact<Real> winner;
-    bool tied = false;
-    for (int lane = 0; lane < lane_count; ++lane) {
-        tied |= tie[lane] != 0;
-        if (best[lane] < winner.time) {
-            winner = {
-                best[lane],
-                candidates[static_cast<std::size_t>(batch[lane]) + static_cast<std::size_t>(lane)]};
-        } else {
-            tied |= best[lane] == winner.time && winner.ball != no_ball;
-        }
-    }
+    Real const time = folded(best, [](V const& a, V const& b) { return a < b ? a : b; });
+    bool tied = bits_of(tie) != 0;
+    if (!(time < limit) && !tied) return {};
+    std::uint32_t const here = bits_of(best == time);
+    tied |= (here & (here - 1)) != 0;
     // Ties are for lattices: then the numbers decide, one by one.
-    return tied ? earliest_one_by_one(scenery, i, candidates, now) : winner;
+    if (tied) return earliest_one_by_one(scenery, i, candidates, now);
+    auto const lane = static_cast<std::size_t>(__builtin_ctz(here));
+    return {time, candidates[static_cast<std::size_t>(batch[lane]) + lane]};
 }
-
-/// The earliest contact of one ball: sixteen candidates at a time through the screen, and exactly
-/// those that might be first. `candidates` is padded with the ball itself to a whole number of
-/// sixteens, one at least.
-template <class Container, class Model> class ScreenedSearch {
-public:
-    using Scene = Scenery<double, Container, Model>;
-
-    /// Looks at the first sixteen: nothing but arithmetic, so that a processor works on the
-    /// searches of two balls at once.
-    [[gnu::always_inline]] ScreenedSearch(Scene const& scenery, std::int32_t ball,
-                                          std::span<std::int32_t const> candidates, double now)
-        : scenery_(scenery), ball_(ball), candidates_(candidates), now_(now),
-          keys_(scenery.screen->keys(ball, candidates.data(), now)) {}
-
-    /// Only contacts that are not later than `limit` are of interest.
-    void set_limit(double limit) { last_ = scenery_.screen->key_at(limit); }
-
-    /// Predicts the first of the sixteen, whether it is one or not: no branch.
-    [[gnu::always_inline]] void take_first() {
-        std::int32_t const key = least_of(keys_);
-        std::int32_t const lane = key & (screen_lanes - 1);
-        std::int32_t const other = candidates_[static_cast<std::size_t>(lane)];
-        double const time = contact_time(scenery_, ball_, other, now_);
-        if (time < best_.time) best_ = {time, other};
-        keys_ = Screen<Container>::without(keys_, lane);
-        last_ = scenery_.screen->key_at(best_.time);
-    }
-
-    /// All others that might be earlier; the answer.
-    Contact<double> take_rest() {
-        for (std::size_t first = 0;;) {
-            for (std::int32_t key = least_of(keys_); key <= last_; key = least_of(keys_)) {
-                std::int32_t const lane = key & (screen_lanes - 1);
-                take(candidates_[first + static_cast<std::size_t>(lane)]);
-                keys_ = Screen<Container>::without(keys_, lane);
-            }
-            first += screen_lanes;
-            if (first >= candidates_.size()) return best_;
-            keys_ = scenery_.screen->keys(ball_, candidates_.data() + first, now_);
-        }
-    }
-
-private:
-    void take(std::int32_t other) {
-        double const time = contact_time(scenery_, ball_, other, now_);
-        if (!comes_first(scenery_, time, other, best_)) return;
-        best_ = {time, other};
-        last_ = scenery_.screen->key_at(time);
-    }
-
-    Scene const& scenery_;
-    std::int32_t ball_;
-    std::span<std::int32_t const> candidates_;
-    double now_;
-    Contact<double> best_;
-    typename Screen<Container>::Keys keys_;
-    std::int32_t last_ = 0;
-};
 
 /// The earliest contact of ball i with the candidates (padded as above), at or after the later of
 /// each pair's records.
@@ -232,38 +167,16 @@ Contact<Real> earliest_contact(Scenery<Real, Container, Model> const& scenery, s
                                std::span<std::int32_t const> candidates, Real now,
                                [[maybe_unused]] Real limit = infinity<Real>) {
     if constexpr (has_lanes<Real>) {
-        if constexpr (std::is_same_v<Real, double> && !Model::grows) {
-            if (scenery.screen) {
-                ScreenedSearch search(scenery, i, candidates, now);
-                search.set_limit(limit);
-                return search.take_rest();
-            }
-        }
         if (!scenery.several_images) {
+            // A hair later, so that a contact at the limit itself is no tie with it.
+            limit += std::numeric_limits<Real>::epsilon() * limit;
             // The newest record spares a quarter of the arithmetic and gives the same bits.
             if (scenery.balls[static_cast<std::size_t>(i)].time == now)
-                return earliest_by_eights<Flight::begins_now>(scenery, i, candidates, now);
-            return earliest_by_eights<Flight::goes_on>(scenery, i, candidates, now);
+                return earliest_in_lanes<Flight::begins_now>(scenery, i, candidates, now, limit);
+            return earliest_in_lanes<Flight::goes_on>(scenery, i, candidates, now, limit);
         }
     }
     return earliest_one_by_one(scenery, i, candidates, now);
-}
-
-/// The earliest contacts of two balls.
-template <class Real, class Container, class Model>
-[[gnu::always_inline]] inline std::array<Contact<Real>, 2>
-earliest_contacts(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
-                  std::span<std::int32_t const> of_i, std::int32_t j,
-                  std::span<std::int32_t const> of_j, Real now) {
-    if constexpr (std::is_same_v<Real, double> && !Model::grows) {
-        if (scenery.screen) {
-            ScreenedSearch search_i(scenery, i, of_i, now), search_j(scenery, j, of_j, now);
-            search_i.take_first();
-            search_j.take_first();
-            return {search_i.take_rest(), search_j.take_rest()};
-        }
-    }
-    return {earliest_contact(scenery, i, of_i, now), earliest_contact(scenery, j, of_j, now)};
 }
 
 } // namespace clack

@@ -1,6 +1,6 @@
 #pragma once
-// Eight numbers at a time, in the vector types of g++ and clang++: on a machine with narrower
-// registers the compiler splits them, and the bits stay the same.
+// Eight numbers at a time, or four where the registers are narrower, in the vector types of g++ and
+// clang++. The bits are the same, and those of one at a time.
 
 #include "state/ball.hpp"
 
@@ -9,13 +9,17 @@
 #include <cstring>
 #include <type_traits>
 
+#ifdef __AVX512VL__
+#include <immintrin.h>
+#endif
+
 namespace clack {
 
+#ifdef __AVX512VL__
 constexpr int lane_count = 8;
-
-/// float and double have vector units; the wider types go one by one.
-template <class Real>
-constexpr bool has_lanes = std::is_same_v<Real, float> || std::is_same_v<Real, double>;
+#else
+constexpr int lane_count = 4; // wider vectors would be taken to pieces, at three times the cost
+#endif
 
 template <class Real> struct LaneTypes;
 template <> struct LaneTypes<float> {
@@ -33,7 +37,7 @@ template <class Number>
 constexpr bool is_lanes =
     std::is_same_v<Number, Lanes<float>> || std::is_same_v<Number, Lanes<double>>;
 
-// The same three words for one number and for eight, so that one source serves both.
+// The same three words for one number and for many, so that one source serves both.
 template <class Number> inline Number square_root(Number x) {
     using std::sqrt;
     if constexpr (is_lanes<Number>) {
@@ -51,39 +55,93 @@ inline Number select(Condition condition, Number yes, Number no) {
 template <class Number> inline Number later(Number a, Number b) { return select(a > b, a, b); }
 
 template <class Real> inline Lanes<Real> broadcast(Real x) {
-    return Lanes<Real>{x, x, x, x, x, x, x, x};
+    return x - Lanes<Real>{}; // every bit of x, minus zero's too
 }
 
-/// The records of eight balls, turned: one vector a component.
-template <class Real> struct BallLanes { Lanes<Real> x, y, z, vx, vy, vz, time; };
+/// The lanes made one, pair by pair.
+template <class Vector, class Pairwise>
+[[gnu::always_inline]] inline auto folded(Vector x, Pairwise&& pairwise) {
+#ifdef __AVX512VL__
+    x = pairwise(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+    x = pairwise(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+    x = pairwise(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+#else
+    x = pairwise(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
+    x = pairwise(x, __builtin_shufflevector(x, x, 1, 0, 3, 2));
+#endif
+    return x[0];
+}
+
+/// A bit for each lane in which a condition holds.
+template <class Condition> [[gnu::always_inline]] inline std::uint32_t bits_of(Condition holds) {
+#ifdef __AVX512VL__ // as below, in one instruction
+    if constexpr (sizeof holds == sizeof(__m512i)) {
+        auto const lanes = reinterpret_cast<__m512i>(holds);
+        return _mm512_test_epi64_mask(lanes, lanes);
+    } else {
+        auto const lanes = reinterpret_cast<__m256i>(holds);
+        return _mm256_test_epi32_mask(lanes, lanes);
+    }
+#else
+    Condition bits{};
+    for (int lane = 0; lane < lane_count; ++lane) bits[lane] = 1 << lane;
+    return static_cast<std::uint32_t>(folded(
+        Condition(holds & bits), [](Condition const& a, Condition const& b) { return a | b; }));
+#endif
+}
+
+/// Calls visit(lane) for each lane in which a condition holds.
+template <class Condition, class Visit>
+[[gnu::always_inline]] inline void for_each_lane(Condition holds, Visit&& visit) {
+    for (std::uint32_t bits = bits_of(holds); bits != 0; bits &= bits - 1)
+        visit(static_cast<std::size_t>(__builtin_ctz(bits)));
+}
+
+/// The records of so many balls, turned: one vector a component.
+template <class Real> struct BallLanes { Lanes<Real> x, y, z, time, vx, vy, vz; };
+
+/// Four numbers each of so many balls, turned.
+template <class Real> struct TurnedFours { Lanes<Real> first, second, third, fourth; };
+
+template <class Real, class Load>
+[[gnu::always_inline]] inline TurnedFours<Real> turned(Load&& four_of) {
+    using V = Lanes<Real>;
+#ifdef __AVX512VL__
+    auto const row = [&](int k) { // balls k and k + 4, so that all end in their own order
+        return __builtin_shufflevector(four_of(k), four_of(k + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+    };
+    auto const evens = [](V a, V b) {
+        return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    };
+    auto const odds = [](V a, V b) {
+        return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    };
+    auto const lows = [](V a, V b) {
+        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+    };
+    auto const highs = [](V a, V b) {
+        return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    };
+#else
+    auto const row = [&](int k) { return four_of(k); };
+    auto const evens = [](V a, V b) { return __builtin_shufflevector(a, b, 0, 4, 2, 6); };
+    auto const odds = [](V a, V b) { return __builtin_shufflevector(a, b, 1, 5, 3, 7); };
+    auto const lows = [](V a, V b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); };
+    auto const highs = [](V a, V b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); };
+#endif
+    V const row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
+    V const evens01 = evens(row0, row1), evens23 = evens(row2, row3);
+    V const odds01 = odds(row0, row1), odds23 = odds(row2, row3);
+    return {lows(evens01, evens23), lows(odds01, odds23), highs(evens01, evens23),
+            highs(odds01, odds23)};
+}
 
 template <class Real>
-inline BallLanes<Real> load_balls(Ball<Real> const* balls, std::int32_t const* chosen) {
-    using V = Lanes<Real>;
-    V row[lane_count];
-    for (int lane = 0; lane < lane_count; ++lane) {
-        std::memcpy(&row[lane], static_cast<void const*>(&balls[chosen[lane]]), sizeof(V));
-    }
-    // Three rounds of pairwise exchange transpose the 8 x 8 block.
-    V a[8], b[8];
-    for (int k = 0; k < 4; ++k) {
-        a[2 * k] = __builtin_shufflevector(row[2 * k], row[2 * k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        a[2 * k + 1] =
-            __builtin_shufflevector(row[2 * k], row[2 * k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int half = 0; half < 8; half += 4) {
-        for (int k = half; k < half + 2; ++k) {
-            b[k] = __builtin_shufflevector(a[k], a[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-            b[k + 2] = __builtin_shufflevector(a[k], a[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-        }
-    }
-    auto const low = [&](int k) {
-        return __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    };
-    auto const high = [&](int k) {
-        return __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    };
-    return {low(0), low(1), low(2), low(3), high(0), high(1), high(2)};
+[[gnu::always_inline]] inline BallLanes<Real> load_balls(Ball<Real> const* balls,
+                                                         std::int32_t const* chosen) {
+    auto const place = turned<Real>([&](int k) { return point_and_time(balls[chosen[k]]); });
+    auto const way = turned<Real>([&](int k) { return velocity_four(balls[chosen[k]]); });
+    return {place.first, place.second, place.third, place.fourth, way.first, way.second, way.third};
 }
 
 } // namespace clack

@@ -29,6 +29,26 @@ template <class Real> Real square_rest(Vector3<Real> const& r) {
     return products + lost(xx, yy) + lost(xx + yy, zz);
 }
 
+/// After a collision the pair must recede in the very arithmetic of the next prediction, or it
+/// would collide again and again without moving: where rounding left it approaching, the smallest
+/// impulses that change the velocities are added until it does not.
+template <class Real>
+[[gnu::noinline, gnu::cold]] void turn_apart(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
+                                             Vector3<Real> const& separation, Real distance2) {
+    Real speed = 0;
+    for (int d = 0; d < 3; ++d) {
+        using std::abs;
+        speed = later<Real>(speed, later<Real>(abs(velocity_i[d]), abs(velocity_j[d])));
+    }
+    using std::sqrt;
+    Real nudge = unit_roundoff<Real> * speed / sqrt(distance2);
+    while (dot<Real>(separation, velocity_j - velocity_i) < 0) {
+        velocity_i -= separation * nudge;
+        velocity_j += separation * nudge;
+        nudge *= 2;
+    }
+}
+
 /// Two equal balls in contact exchange the components of their velocities along the line of their
 /// centres, as it is at contact: dividing by r.r rather than by d^2 keeps energy to rounding.
 /// Returns the momentum per unit mass given to j. `share` is 1 but for a mutant under test.
@@ -36,10 +56,6 @@ template <class Real> Real square_rest(Vector3<Real> const& r) {
 /// The quotient of approach and distance2 keeps its remainder. In contact distance2 takes but a few
 /// values about the diameter squared, by which quotients round up more often than down: without the
 /// remainder the energy of balls of diameter 1 rose by a tenth of a rounding a collision.
-///
-/// Afterwards the pair must recede in the very arithmetic of the next prediction, or it would
-/// collide again and again without moving: where rounding left it approaching, the smallest
-/// impulses that change the velocities are added until it does not.
 template <class Real>
 Vector3<Real> exchange_normal_velocities(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
                                          Vector3<Real> const& separation, Real share = 1) {
@@ -54,18 +70,8 @@ Vector3<Real> exchange_normal_velocities(Vector3<Real>& velocity_i, Vector3<Real
     velocity_i += kick;
     velocity_j -= kick;
 
-    Real speed = 0;
-    for (int d = 0; d < 3; ++d) {
-        using std::abs;
-        speed = later<Real>(speed, later<Real>(abs(velocity_i[d]), abs(velocity_j[d])));
-    }
-    using std::sqrt;
-    Real nudge = unit_roundoff<Real> * speed / sqrt(distance2);
-    while (dot<Real>(separation, velocity_j - velocity_i) < 0) {
-        velocity_i -= separation * nudge;
-        velocity_j += separation * nudge;
-        nudge *= 2;
-    }
+    if (dot<Real>(separation, velocity_j - velocity_i) < 0)
+        turn_apart(velocity_i, velocity_j, separation, distance2);
     return -kick;
 }
 

@@ -16,8 +16,7 @@ namespace clack {
 /// A ball is filed under the bucket of its next event's time and never searched or taken out: when
 /// the event changes it is filed again, and an entry that no longer holds is dropped when its
 /// bucket is opened. The buckets form a ring; an entry of a later revolution goes back to its
-/// place. New entries wait until the next bucket is opened, so that their bins have time to come
-/// from memory.
+/// place.
 template <class Real> class Calendar {
 public:
     static constexpr Staleness staleness = Staleness::found;
@@ -31,7 +30,6 @@ public:
     void rebuild(NextEvents<Real> const& next, Real now) {
         ring_.reset(static_cast<std::size_t>(mask_) + 1);
         bucket_.clear();
-        pending_.clear();
         base_ = now;
         inverse_width_ = 1 / bucket_width(next, now);
         open_ = 0;
@@ -42,6 +40,7 @@ public:
     void update(NextEvents<Real> const& next, std::int32_t ball) { file(next[ball].time(), ball); }
 
     std::int32_t earliest(NextEvents<Real> const& next) {
+        if (bucket_.size() < events_ahead) open_one_more(next);
         for (;;) {
             std::int32_t const first = bucket_.earliest(next);
             if (first != no_event) return first;
@@ -49,29 +48,13 @@ public:
         }
     }
 
-    /// The bucket that is open.
-    std::int64_t position() const { return open_; }
+    /// The ball of the event that is so many places behind the first, if it is known yet.
+    std::int32_t upcoming(std::size_t places) const { return bucket_.upcoming(places); }
 
-    /// Calls visit(ball) for balls that were filed under a bucket to come, stale or not.
-    template <class Visit> void foresee(std::int64_t bucket, Visit&& visit) const {
-        auto const& block = ring_.block(static_cast<std::size_t>(bucket & mask_));
-        for (std::int32_t k = 0; k < block.count; ++k)
-            visit(block.ball[static_cast<std::size_t>(k)]);
-    }
-    /// Whether an event belongs to a bucket.
-    bool waits_in(std::int64_t bucket, NextEvent<Real> const& event) const {
-        return bucket_at(event.time()) == bucket;
-    }
-    /// A hint to the memory.
-    void fetch(std::int64_t bucket) const {
-        __builtin_prefetch(&ring_.block(static_cast<std::size_t>(bucket & mask_)));
-    }
-
-    std::size_t bytes() const {
-        return ring_.bytes() + bucket_.bytes() + pending_.capacity() * sizeof(pending_[0]);
-    }
+    std::size_t bytes() const { return ring_.bytes() + bucket_.bytes(); }
 
 private:
+    static constexpr std::size_t events_ahead = 4;
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
 
     /// As if all waited equally long.
@@ -99,18 +82,19 @@ private:
         if (!(time < infinity<Real>)) return;
         std::int64_t const bucket = bucket_at(time);
         if (bucket > open_) {
-            auto const slot = static_cast<std::size_t>(bucket & mask_);
-            __builtin_prefetch(&ring_.block(slot), 1);
-            pending_.push_back({slot, ball});
+            ring_.insert(static_cast<std::size_t>(bucket & mask_), ball);
         } else {
             bucket_.insert(time, ball);
         }
     }
 
+    void open_one_more(NextEvents<Real> const& next) {
+        ++open_;
+        open(next);
+    }
+
     /// Opens the next bucket that holds an event; false when there is none at all.
     bool open_next_bucket(NextEvents<Real> const& next) {
-        for (auto const& [slot, ball] : pending_) ring_.insert(slot, ball);
-        pending_.clear();
         std::int64_t const last = open_ + mask_ + 1;
         while (open_ < last) {
             ++open_;
@@ -130,6 +114,7 @@ private:
     }
 
     void open(NextEvents<Real> const& next) {
+        fetch_following(next);
         auto const slot = static_cast<std::size_t>(open_ & mask_);
         if (ring_.block(slot).count == 0) return;
         ring_.drain(slot, [&](std::int32_t ball) {
@@ -144,10 +129,17 @@ private:
         });
     }
 
+    /// Asks the memory for what the next buckets to be opened will read.
+    void fetch_following(NextEvents<Real> const& next) const {
+        __builtin_prefetch(&ring_.block(static_cast<std::size_t>((open_ + 2) & mask_)));
+        auto const& block = ring_.block(static_cast<std::size_t>((open_ + 1) & mask_));
+        for (std::int32_t k = 0; k < block.count; ++k)
+            __builtin_prefetch(&next[block.ball[static_cast<std::size_t>(k)]]);
+    }
+
     ChainedBins<14> ring_; // a block is a cache line
     std::int64_t mask_;    // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;
-    std::vector<std::pair<std::size_t, std::int32_t>> pending_; // bin and ball, not yet filed
     Real base_ = 0, inverse_width_ = 1;
     std::int64_t open_ = 0;
 };

@@ -15,6 +15,11 @@ namespace clack {
 template <class Real> class OpenBucket {
 public:
     bool empty() const { return events_.empty(); }
+    std::size_t size() const { return events_.size(); }
+    std::int32_t upcoming(std::size_t places) const {
+        return heaped_ || events_.size() <= places ? no_event
+                                                   : events_[events_.size() - 1 - places].ball;
+    }
     void clear() {
         events_.clear();
         heaped_ = false;

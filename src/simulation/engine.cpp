@@ -49,8 +49,6 @@ std::size_t expected_bytes(System const& system, Method method, Precision precis
     if (system.boundary == Boundary::periodic) per_ball += 12;
     if (choice.search != SearchKind::every_pair) per_ball += 61;
     if (choice.search == SearchKind::neighbour_list) per_ball += 150;
-    if (choice.search != SearchKind::every_pair && precision == Precision::double_)
-        per_ball += sizeof(Sketch);
     if (choice.queue == QueueKind::binary_heap) per_ball += 20;
     if (choice.queue == QueueKind::calendar) per_ball += 80;
     constexpr std::size_t program = 32u << 20;

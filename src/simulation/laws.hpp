@@ -20,6 +20,7 @@ public:
         : count_(static_cast<double>(system.count)),
           length_(static_cast<Real>(system.side + system.diameter)),
           epoch_length_(static_cast<Real>(epoch_length)),
+          rounding_of_places_(2 * rounding_ * length_ * static_cast<Real>(system.diameter)),
           standstill_max_(100'000 + 1'000 * static_cast<std::uint64_t>(system.count)) {}
 
     /// Time never runs backwards, and does not stand still for ever: balls wedged between their
@@ -47,10 +48,11 @@ public:
                     Tallies const& tallies) const {
         using std::abs;
         using std::sqrt;
+        Real const off = distance2 - diameter2;
+        if (abs(off) <= rounding_of_places_) return; // mostly, and it takes no root
         Real const speed = sqrt(pair.vx * pair.vx + pair.vy * pair.vy + pair.vz * pair.vz);
-        constexpr int roundings = 1024;
-        Real const rounding = roundings * unit_roundoff<Real> * (length_ + speed * epoch_length_);
-        if (abs(distance2 - diameter2) <= 2 * rounding * sqrt(diameter2)) return;
+        Real const allowed = 2 * rounding_ * (length_ + speed * epoch_length_) * sqrt(diameter2);
+        if (abs(off) <= allowed) return;
         auto const depth = static_cast<double>((diameter2 - distance2) / (2 * diameter2));
         throw LawBroken(
             fmt::format("balls {} and {} {} by {:.3g} diameters at t = {:.17g} (collision {})", i,
@@ -77,8 +79,10 @@ public:
     }
 
 private:
+    Real const rounding_ = 1024 * unit_roundoff<Real>;
     double count_;
     Real length_, epoch_length_;
+    Real rounding_of_places_; // in a squared distance
     Real first_energy_ = -1;
     std::uint64_t standstill_ = 0, standstill_max_;
 };

@@ -8,7 +8,7 @@ namespace clack {
 namespace {
 
 constexpr std::int64_t every_pair_max = 40; // measured: from here on cells cost less
-constexpr double list_packing_min = 0.22;   // measured: from here on lists cost less than cells
+constexpr double list_packing_min = 0.38;   // measured: from here on lists cost less than cells
 
 char const* name_of(SearchKind search) {
     switch (search) {

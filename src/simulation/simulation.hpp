@@ -37,7 +37,6 @@ public:
         : state_(std::move(state)), model_(std::move(model)), next_(state_.numbers),
           search_(model_.as_searched(state_.system), state_.cube), queue_(next_.size()),
           laws_(state_.system, state_.clock.length),
-          screen_(model_.as_searched(state_.system), state_.clock.length),
           several_images_(touches_through_several_images(state_.system)) {
         rebuild();
     }
@@ -65,7 +64,7 @@ public:
             }
             if constexpr (can_look_ahead) {
                 if (state_.count() >= LookAhead::outgrows_cache)
-                    look_ahead_.look(state_, next_, search_, queue_, screen_);
+                    LookAhead::look(state_, next_, search_, queue_);
             }
             laws_.time_goes_on(clock_, time);
             clock_.offset = time;
@@ -84,25 +83,17 @@ public:
     BallState<Real, Container<Real>> const& state() const { return state_; }
 
     std::size_t bytes() const {
-        return state_.bytes() + next_.bytes() + search_.bytes() + queue_.bytes() + screen_.bytes();
+        return state_.bytes() + next_.bytes() + search_.bytes() + queue_.bytes();
     }
 
 private:
     static constexpr bool periodic = Container<Real>::boundary == Boundary::periodic;
-    static constexpr bool can_screen = std::is_same_v<Real, double> && !Model<Real>::grows;
     static constexpr bool can_look_ahead =
-        can_screen && LookAhead::possible<Search<Real, Container<Real>>, Queue<Real>>;
-
-    bool screens() const { return can_screen && search_.nearest_image_is_clear(); }
-    void draw(std::int32_t ball) {
-        if constexpr (can_screen)
-            if (screens()) screen_.draw(ball, state_[ball]);
-    }
+        LookAhead::possible<Search<Real, Container<Real>>, Queue<Real>>;
 
     auto scenery() const {
-        return Scenery<Real, Container<Real>, Model<Real>>{
-            state_.balls, state_.numbers,  state_.cube,
-            model_,       several_images_, screens() ? &screen_ : nullptr};
+        return Scenery<Real, Container<Real>, Model<Real>>{state_.balls, state_.numbers,
+                                                           state_.cube, model_, several_images_};
     }
 
     // --- one event
@@ -209,7 +200,6 @@ private:
     }
 
     void predict(std::int32_t ball) {
-        draw(ball);
         next_[ball] = next_event(ball);
         queue_.update(next_, ball);
         tell_partner(ball);
@@ -217,10 +207,9 @@ private:
 
     /// Two balls that have collided.
     void predict_both(std::int32_t i, std::int32_t j) {
-        draw(i);
-        draw(j);
-        auto const found = earliest_contacts(scenery(), i, search_.candidates(i), j,
-                                             search_.candidates(j), clock_.offset);
+        Contact<Real> const found[]{
+            earliest_contact(scenery(), i, search_.candidates(i), clock_.offset),
+            earliest_contact(scenery(), j, search_.candidates(j), clock_.offset)};
         for (Contact<Real> const& contact : found) // they will be told
             __builtin_prefetch(&next_[std::max(contact.ball, 0)]);
         next_[i] = next_event(i, found[0]);
@@ -265,13 +254,8 @@ private:
     void rebuild() {
         state_.put_in_memory_order();
         search_.rebuild(state_.balls, clock_.offset);
-        if (screens()) {
-            screen_.resize(state_.balls.size());
-            for (std::int32_t ball = 0; ball < state_.count(); ++ball) draw(ball);
-        }
         for (std::int32_t ball = 0; ball < state_.count(); ++ball) next_[ball] = next_event(ball);
         queue_.rebuild(next_, clock_.offset);
-        look_ahead_.restart();
     }
 
     Collision<Real> collision(CollisionKind kind, std::int32_t first, std::int64_t second,
@@ -298,9 +282,7 @@ private:
     Search<Real, Container<Real>> search_;
     Queue<Real> queue_;
     Laws<Real> laws_;
-    Screen<Container<Real>> screen_;
     bool several_images_;
-    LookAhead look_ahead_;
 };
 
 } // namespace clack

@@ -3,17 +3,62 @@
 
 #include "state/real.hpp"
 
+#include <cstring>
+
 namespace clack {
+
+/// Four numbers at a time: half a record.
+template <class Real> struct FourTypes;
+template <> struct FourTypes<float> { using Numbers [[gnu::vector_size(16)]] = float; };
+template <> struct FourTypes<double> { using Numbers [[gnu::vector_size(32)]] = double; };
+template <class Real> using Fours = typename FourTypes<Real>::Numbers;
 
 /// x(t) = point + velocity (t - time). Written by a collision and by a change of epoch, by nothing
 /// else. `time` counts from the start of the epoch. Eight numbers wide, so that a double record is
 /// one cache line: a neighbour costs one load.
 template <class Real> struct alignas(8 * sizeof(Real)) Ball {
     Vector3<Real> point = Vector3<Real>::Zero();    // where the flight began  [length]
-    Vector3<Real> velocity = Vector3<Real>::Zero(); // [length / time]
     Real time = 0;                                  // when the flight began
+    Vector3<Real> velocity = Vector3<Real>::Zero(); // [length / time]
+    Real unused = 0;                                // but read with the velocity, as four
 
     Vector3<Real> position(Real when) const { return point + velocity * (when - time); }
 };
+
+/// A record's two halves: the point and when the flight began, the velocity and nothing.
+template <class Real> Fours<Real> point_and_time(Ball<Real> const& ball) {
+    Fours<Real> four;
+    std::memcpy(&four, reinterpret_cast<char const*>(&ball), sizeof four);
+    return four;
+}
+template <class Real> Fours<Real> velocity_four(Ball<Real> const& ball) {
+    Fours<Real> four;
+    std::memcpy(&four, reinterpret_cast<char const*>(&ball) + sizeof four, sizeof four);
+    return four;
+}
+template <class Real> void set_point_and_time(Ball<Real>& ball, Fours<Real> const& four) {
+    std::memcpy(reinterpret_cast<char*>(&ball), &four, sizeof four);
+}
+
+/// For indexes, which need no more than double of any type's records.
+template <class Real> Fours<double> in_double(Vector3<Real> const& x) {
+    Fours<double> four{};
+    for (int d = 0; d < 3; ++d) four[d] = static_cast<double>(x[d]);
+    return four;
+}
+template <class Real> Fours<double> point_in_double(Ball<Real> const& ball) {
+    if constexpr (std::is_same_v<Real, double>) {
+        return point_and_time(ball);
+    } else {
+        return in_double(ball.point);
+    }
+}
+template <class Real> Fours<double> velocity_in_double(Ball<Real> const& ball) {
+    if constexpr (std::is_same_v<Real, double>) {
+        return velocity_four(ball);
+    } else {
+        return in_double(ball.velocity);
+    }
+}
 
 } // namespace clack

@@ -43,9 +43,16 @@ template <class Real, class Container> struct BallState {
     void fly_to(std::int32_t ball, Real time) {
         Ball<Real>& flight = (*this)[ball];
         Real const flown = time - flight.time;
-        for (int d = 0; d < 3; ++d) flight.point[d] += flight.velocity[d] * flown;
-        flight.time = time;
+        if constexpr (has_lanes<Real>) {
+            auto place = point_and_time(flight) + velocity_four(flight) * flown;
+            place[3] = time;
+            set_point_and_time(flight, place);
+        } else {
+            for (int d = 0; d < 3; ++d) flight.point[d] += flight.velocity[d] * flown;
+            flight.time = time;
+        }
         if constexpr (periodic) {
+            if (cube.holds(flight.point)) return;
             auto const laps = cube.wrap(flight.point);
             for (std::size_t d = 0; d < 3; ++d)
                 images[static_cast<std::size_t>(ball)][d] += laps[d];

@@ -15,9 +15,9 @@ namespace clack {
 template <std::int32_t places> class ChainedBins {
 public:
     struct Block {
+        std::array<std::int32_t, places> ball{};
         std::int32_t count = 0;
         std::int32_t more = end_of_chain;
-        std::array<std::int32_t, places> ball{};
     };
     static constexpr std::int32_t end_of_chain = -1;
 

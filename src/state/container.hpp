@@ -4,6 +4,7 @@
 #include "state/ball.hpp"
 #include "state/system.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -43,6 +44,11 @@ template <class Real> struct PeriodicCube {
     /// How many sides away the nearest image is, for one component of a separation.
     template <class Number> Number image(Number distance) const {
         return nearest_integer<Number, Real>(distance * inverse_side);
+    }
+
+    bool holds(Vector3<Real> const& place) const {
+        return std::min(std::min(place[0], place[1]), place[2]) >= 0 &&
+               std::max(std::max(place[0], place[1]), place[2]) < side;
     }
 
     /// Brings a place back into [0, side] and tells how many sides it had left it by.

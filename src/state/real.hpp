@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace clack {
 
@@ -19,6 +20,10 @@ template <class Real> using Vector3 = Eigen::Matrix<Real, 3, 1>;
 
 template <class Real> inline Real const unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 template <class Real> inline Real const infinity = std::numeric_limits<Real>::infinity();
+
+/// float and double have vector units; the wider types go one by one.
+template <class Real>
+constexpr bool has_lanes = std::is_same_v<Real, float> || std::is_same_v<Real, double>;
 
 /// How many doubles add up to any value of this type without loss: 1 for float and double,
 /// 2 for an 80-bit long double, 3 for quad.
