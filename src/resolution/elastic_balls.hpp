@@ -17,7 +17,8 @@ template <class Real> struct ElasticBalls : SteadyDiameter<Real> {
 
     static constexpr bool keeps_energy = true;
 
-    Real diameter_squared(Real /*time*/) const { return this->squared; }
+    /// The squared distance at which a pair collides.
+    Real diameter_squared(Pair<Real> const& /*pair*/, Real /*time*/) const { return this->squared; }
 
     /// The system as a search for neighbours should take it.
     System as_searched(System const& system) const { return system; }
@@ -33,8 +34,9 @@ template <class Real> struct ElasticBalls : SteadyDiameter<Real> {
         return exchange_normal_velocities(velocity_i, velocity_j, separation);
     }
 
-    /// The plane that stops a ball's centre; `towards` is -1 or 1.
-    Real plane(WalledCube<Real> const& cube, int towards, Real /*time*/) const {
+    /// The plane that stops a ball's centre; `towards` is -1 or 1, `component` that of the velocity
+    /// along the wall's normal.
+    Real plane(WalledCube<Real> const& cube, int towards, Real /*time*/, Real /*component*/) const {
         return towards < 0 ? cube.low : cube.high;
     }
 

@@ -19,7 +19,9 @@ template <class Real> struct GrowingBalls {
     static constexpr bool keeps_energy = false; // the surfaces push
 
     Real diameter_at(Real time) const { return diameter + rate * time; }
-    Real diameter_squared(Real time) const { return diameter_at(time) * diameter_at(time); }
+    Real diameter_squared(Pair<Real> const&, Real time) const {
+        return diameter_at(time) * diameter_at(time);
+    }
 
     /// A search has to find neighbours up to the end of the growth.
     System as_searched(System system) const {
@@ -55,7 +57,8 @@ template <class Real> struct GrowingBalls {
             for (int const towards : {-1, 1}) {
                 Real const closing = towards * ball.velocity[d] + rate / 2;
                 if (!(closing > 0)) continue;
-                Real const gap = towards * (plane(cube, towards, ball.time) - ball.point[d]);
+                Real const gap =
+                    towards * (plane(cube, towards, ball.time, ball.velocity[d]) - ball.point[d]);
                 Real const time = gap > 0 ? ball.time + gap / closing : ball.time;
                 if (time < best.time) best = {time, 2 * d + (towards > 0 ? 1 : 0)};
             }
@@ -64,7 +67,7 @@ template <class Real> struct GrowingBalls {
     }
 
     /// The planes that stop the centres close in as the balls grow.
-    Real plane(WalledCube<Real> const& cube, int towards, Real time) const {
+    Real plane(WalledCube<Real> const& cube, int towards, Real time, Real /*component*/) const {
         Real const grown = rate * time / 2 + (diameter - cube.diameter) / 2;
         return towards < 0 ? cube.low + grown : cube.high - grown;
     }

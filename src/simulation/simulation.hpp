@@ -119,7 +119,7 @@ private:
         Pair<Real> const pair = pair_of(state_[i], state_[j], state_.cube, clock_.offset);
         Vector3<Real> const separation{pair.x, pair.y, pair.z};
         Real const distance2 = dot<Real>(separation, separation);
-        Real const diameter2 = model_.diameter_squared(clock_.offset);
+        Real const diameter2 = model_.diameter_squared(pair, clock_.offset);
         laws_.in_contact(distance2, diameter2, pair, clock_, next_.number(i), next_.number(j),
                          tallies_);
 
@@ -145,7 +145,7 @@ private:
             int const towards = wall % 2 == 0 ? -1 : 1;
             Real const before = state_[ball].velocity[d];
             Real const after = model_.reflect(before, towards);
-            state_[ball].point[d] = model_.plane(state_.cube, towards, clock_.offset);
+            state_[ball].point[d] = model_.plane(state_.cube, towards, clock_.offset, before);
             state_[ball].velocity[d] = after;
             Vector3<Real> impulse = Vector3<Real>::Zero();
             impulse[d] = static_cast<Real>(state_.system.mass) * (before - after);

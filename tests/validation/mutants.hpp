@@ -64,8 +64,8 @@ template <class Real> struct MovedWalls : ElasticBalls<Real> {
     WallContact<Real> wall_contact(Ball<Real> const& ball, WalledCube<Real> const& cube) const {
         return earliest_wall(ball, moved(cube));
     }
-    Real plane(WalledCube<Real> const& cube, int towards, Real time) const {
-        return ElasticBalls<Real>::plane(moved(cube), towards, time);
+    Real plane(WalledCube<Real> const& cube, int towards, Real time, Real component) const {
+        return ElasticBalls<Real>::plane(moved(cube), towards, time, component);
     }
 };
 
