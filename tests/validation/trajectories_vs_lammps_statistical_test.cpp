@@ -1,0 +1,108 @@
+// What the experiment catches, with the settings and seeds of its quick profile. Skipped where
+// LAMMPS is not installed.
+
+#include "validation/trajectories_vs_lammps.hpp"
+
+#include "tests/reference/needs_lammps.hpp"
+#include "tests/validation/mutants.hpp"
+#include "validation/collision_prefix.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace clack;
+using namespace clack::validation;
+using namespace clack::validation::trajectories_vs_lammps;
+
+namespace {
+
+/// Balls too narrow by 0.1 %: too wide ones could not start where the others do.
+template <class Real> struct NarrowerBalls : ElasticBalls<Real> {
+    static System narrowed(System system) {
+        system.diameter *= 0.999;
+        return system;
+    }
+    explicit NarrowerBalls(System const& system) : ElasticBalls<Real>(narrowed(system)) {}
+};
+
+/// Impulses too weak by 1e-4: seen only where nothing of first order hides it.
+template <class Real> struct WeakSoftenedBalls : SoftenedBalls<Real> {
+    using SoftenedBalls<Real>::SoftenedBalls;
+    static constexpr bool keeps_energy = false;
+
+    Vector3<Real> collide(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
+                          Vector3<Real> const& separation, std::uint64_t /*collision*/) const {
+        return exchange_normal_velocities(velocity_i, velocity_j, separation,
+                                          static_cast<Real>(1 - 1e-4));
+    }
+};
+
+/// The judgements on the smallest state point when it is one of all, and their verdict.
+struct Outcome {
+    Verdict verdict;
+    std::vector<std::string> caught_by;
+
+    bool is_caught_by(std::string const& end) const {
+        return std::any_of(caught_by.begin(), caught_by.end(),
+                           [&](std::string const& name) { return name.ends_with(end); });
+    }
+};
+
+Outcome outcome_with(Engines const& engines) {
+    std::string const deck = reference::lammps_deck("lammps_cube.in");
+    auto const points = state_points(Profile::quick);
+    Measured measured{points.front(), {}};
+    for (int replicate = 0; replicate < measured.point.replicates; ++replicate) {
+        std::uint64_t const seed =
+            seed_of("trajectories_vs_lammps", measured.point.text(deck), replicate);
+        measured.replicates.push_back(measure(measured.point, seed, deck, engines));
+    }
+    auto gates = comparisons(measured);
+    for (Value const value : {plain_beyond, softened_beyond})
+        gates.push_back(beyond({measured}, value));
+    Risks const risks{.false_alarm = Risks{}.false_alarm / static_cast<double>(points.size())};
+    auto const judgements = judge(gates, risks);
+    Outcome outcome{together(judgements), {}};
+    for (std::size_t k = 0; k < gates.size(); ++k) {
+        BOOST_TEST_MESSAGE(gates[k].name << " = " << gates[k].measured.value << " +- "
+                                         << gates[k].measured.error << ": "
+                                         << name_of(judgements[k].verdict));
+        if (judgements[k].verdict == Verdict::differs) outcome.caught_by.push_back(gates[k].name);
+    }
+    return outcome;
+}
+
+template <template <class> class Model> Engines hard_engine() {
+    return {.hard = [](System const& system, Start const& start) {
+        return mutants::make<WalledCube, Model>(system, start);
+    }};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(true_engine_passes, *NeedsLammps()) {
+    BOOST_TEST((outcome_with({}).verdict == Verdict::agrees));
+}
+
+BOOST_AUTO_TEST_CASE(narrower_balls_do_not_pass, *NeedsLammps()) {
+    Outcome const outcome = outcome_with(hard_engine<NarrowerBalls>());
+    BOOST_TEST((outcome.verdict == Verdict::differs));
+    BOOST_TEST(outcome.is_caught_by("slope"));
+    BOOST_TEST(outcome.is_caught_by("Richardson"));
+}
+
+/// The sharpest of the gates sees what the others cannot.
+BOOST_AUTO_TEST_CASE(weaker_impulses_of_yielding_balls_do_not_pass, *NeedsLammps()) {
+    Outcome const outcome = outcome_with({.yielding = softened<WeakSoftenedBalls>});
+    BOOST_TEST((outcome.verdict == Verdict::differs));
+    BOOST_TEST(outcome.is_caught_by("share beyond 1e-5, softened"));
+    BOOST_TEST(!outcome.is_caught_by("slope"));
+}
+
+BOOST_AUTO_TEST_CASE(sequences_match_up_to_their_first_difference) {
+    using collision_prefix::Partners;
+    Partners const one{{1, 2, 3}, {5, 5}, {}}, other{{1, 2, 4, 3}, {5}, {7}};
+    BOOST_TEST(collision_prefix::matched(one, one) == 5.0 / 3);
+    BOOST_TEST(collision_prefix::matched(one, other) == (2 + 1 + 0) / 3.0);
+    Partners const seen = collision_prefix::partners_of({{10, 0, 2}, {20, 1, 2}}, 3);
+    BOOST_TEST((seen == Partners{{2}, {2}, {0, 1}}));
+}
