@@ -61,7 +61,7 @@ std::vector<Row> measured(Experiment& experiment) {
 Csv csv_of(std::vector<Row> const& rows) {
     Csv csv({"packing_fraction", "count", "stiffness", "Z_plain", "Z_plain_error", "kT_plain",
              "Z_plain_theory", "Z_widened", "Z_widened_error", "kT_widened", "Z_hardened",
-             "Z_hardened_error", "Z_clack", "Z_clack_error", "Z_theory"});
+             "Z_hardened_error", "Z_clack", "Z_clack_error", "Z_theory", "margin"});
     for (Row const& row : rows) {
         for (std::size_t k = 0; k < row.point.stiffnesses.size(); ++k) {
             double const stiffness = row.point.stiffnesses[k];
@@ -73,7 +73,8 @@ Csv csv_of(std::vector<Row> const& rows) {
                      cell(softened_theory(row.point, 1, stiffness, kt)), cell(row.mean(wide).value),
                      cell(row.mean(wide).error), cell(row.mean(wide + 1).value),
                      cell(hardened_z.value), cell(hardened_z.error), cell(row.hard().value),
-                     cell(row.hard().error), cell(row.point.theory())});
+                     cell(row.hard().error), cell(row.point.theory()),
+                     cell(row.comparisons.front().margin)});
         }
     }
     return csv;
