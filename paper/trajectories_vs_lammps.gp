@@ -32,15 +32,15 @@ do for [column = 1:2] {
     set format x ''
     set xlabel ''
     set logscale y
-    set yrange [8e-10:0.3]
+    set yrange [1.5e-10:0.3]
     set ytics 1e-8, 100
     set ylabel 'distance (diameters)' offset 0.6, 0
     eval own_ordinate
     set format y '10^{%T}'
     set key bottom left Left reverse samplen 0.6 spacing 0.9 font ',7'
     set label 1 sprintf('%s = %.1f', eta, packing) at graph 0.93, 0.93 right
-    set label 2 '{/:Italic t}_c' at graph 0.74, (column == 1 ? 0.61 : 0.545) font ',7'
-    set label 3 '{/:Italic t}_c^2/2' at graph 0.86, (column == 1 ? 0.14 : 0.03) font ',7'
+    set label 2 '{/:Italic t}_c' at graph 0.74, (column == 1 ? 0.65 : 0.585) font ',7'
+    set label 3 '{/:Italic t}_c^2/2' at graph 0.82, (column == 1 ? 0.18 : 0.05) font ',7'
     if (column == 2) { eval shared_ordinate }
     plot contact(x) with lines ls 1 lw thin, \
          contact(x)**2 / 2 with lines ls 9, \
@@ -60,7 +60,7 @@ do for [column = 1:2] {
     unset logscale y
     set yrange [0.5:1.04]
     set ytics 0.5, 0.2
-    set ylabel 'balls kept' offset 1.4, 0
+    set ylabel 'balls kept' offset 0.8, 0
     eval own_ordinate
     unset key
     if (column == 2) { eval shared_ordinate }
@@ -72,7 +72,7 @@ do for [column = 1:2] {
     set xrange [8e3 * shift / 2:(column == 1 ? 2.5e7 : 2e8)]
     set yrange [0:16]
     set ytics 5
-    set ylabel 'equal collisions a ball'
+    set ylabel 'equal collisions' offset 0.8, 0
     eval own_ordinate
     set key top left Left reverse samplen 0.6 spacing 0.9 font ',7'
     if (column == 2) { eval shared_ordinate }

@@ -55,55 +55,79 @@ struct Mask {
     }
 };
 
+/// Finds out which balls soft ones cannot follow.
+class Masking {
+public:
+    Masking(Segment const& segment, double span)
+        : segment_(segment), span_(span),
+          histories_(static_cast<std::size_t>(segment.start.positions.cols())) {}
+
+    Mask mask() {
+        // A collision that follows at once spoils the one before it too, and so the partner that it
+        // had: the list is gone through until nothing changes.
+        do go_through();
+        while (changed_);
+        Mask mask;
+        for (History const& history : histories_) {
+            mask.kept.push_back(history.met && history.spoilt == never);
+            mask.met += history.met;
+        }
+        return mask;
+    }
+
+private:
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
+    struct History {
+        double last_ball = -never, last_wall = -never;
+        double spoilt = never; // since then
+        bool met = false;
+    };
+
+    History& of(std::int64_t ball) { return histories_[static_cast<std::size_t>(ball)]; }
+
+    void spoil(History& history, double since) {
+        if (!(since < history.spoilt)) return;
+        history.spoilt = since;
+        changed_ = true;
+    }
+
+    void look(History& history, Meeting const& meeting) {
+        bool const wall = meeting.kind == CollisionKind::wall;
+        double const before =
+            wall ? history.last_ball : std::max(history.last_ball, history.last_wall);
+        if (meeting.time - before < span_) spoil(history, before);
+        if (segment_.time - meeting.time < span_) spoil(history, meeting.time);
+        (wall ? history.last_wall : history.last_ball) = meeting.time;
+        history.met = true;
+    }
+
+    void go_through() {
+        changed_ = false;
+        for (History& history : histories_) history.last_ball = history.last_wall = -never;
+        for (Meeting const& meeting : segment_.meetings) {
+            History& first = of(meeting.first);
+            look(first, meeting);
+            if (meeting.kind == CollisionKind::wall) continue;
+            History& second = of(meeting.second);
+            look(second, meeting);
+            if (first.spoilt <= meeting.time) spoil(second, meeting.time);
+            if (second.spoilt <= meeting.time) spoil(first, meeting.time);
+        }
+    }
+
+    Segment const& segment_;
+    double span_;
+    std::vector<History> histories_;
+    bool changed_ = false;
+};
+
 /// Keeps the balls that collide, and of these drops where soft balls have no limit or none yet: a
 /// ball one of whose collisions lies within `span` of the segment's end, or of another of its own
 /// (two walls do not mind each other: their springs push along different axes), and from then on
 /// every ball that meets such a one.
 inline Mask masked(Segment const& segment, double const span) {
-    constexpr double never = std::numeric_limits<double>::infinity();
-    struct History {
-        double last_ball = -never, last_wall = -never, spoilt = never;
-        bool met = false;
-    };
-    auto const count = static_cast<std::size_t>(segment.start.positions.cols());
-    std::vector<History> histories(count);
-    auto const of = [&](std::int64_t ball) -> History& {
-        return histories[static_cast<std::size_t>(ball)];
-    };
-    // A collision spoils the one before it too, so its partner is spoilt since that one: the list
-    // is gone through until nothing changes.
-    bool changed = true;
-    auto const spoil = [&](History& history, double const since) {
-        if (!(since < history.spoilt)) return;
-        history.spoilt = since;
-        changed = true;
-    };
-    auto const look = [&](History& history, Meeting const& meeting) {
-        bool const wall = meeting.kind == CollisionKind::wall;
-        double const before =
-            wall ? history.last_ball : std::max(history.last_ball, history.last_wall);
-        if (meeting.time - before < span) spoil(history, before);
-        if (segment.time - meeting.time < span) spoil(history, meeting.time);
-        (wall ? history.last_wall : history.last_ball) = meeting.time;
-        history.met = true;
-    };
-    while (changed) {
-        changed = false;
-        for (History& history : histories) history.last_ball = history.last_wall = -never;
-        for (Meeting const& meeting : segment.meetings) {
-            look(of(meeting.first), meeting);
-            if (meeting.kind == CollisionKind::wall) continue;
-            look(of(meeting.second), meeting);
-            if (of(meeting.first).spoilt <= meeting.time) spoil(of(meeting.second), meeting.time);
-            if (of(meeting.second).spoilt <= meeting.time) spoil(of(meeting.first), meeting.time);
-        }
-    }
-    Mask mask;
-    for (History const& history : histories) {
-        mask.kept.push_back(history.met && history.spoilt == never);
-        mask.met += history.met;
-    }
-    return mask;
+    return Masking(segment, span).mask();
 }
 
 /// Distances between the places of the kept balls.

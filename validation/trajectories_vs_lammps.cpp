@@ -89,10 +89,12 @@ Csv csv_of(std::vector<Measured> const& all) {
     std::vector<std::string> names{"packing_fraction",   "count",     "stiffness",
                                    "contact_duration",   "is_judged", "kept_fraction",
                                    "kept_fraction_error"};
-    for (std::string const quantity : {"distance", "richardson", "softened"})
-        for (std::string const which : {"_median", "_largest"})
-            for (std::string const unit : {"_per_diameter", "_per_diameter_error"})
-                names.push_back(quantity + which + unit);
+    for (std::string const quantity : {"distance", "richardson", "softened"}) {
+        for (std::string const which : {"median", "largest"}) {
+            names.push_back(fmt::format("{}_{}_per_diameter", quantity, which));
+            names.push_back(fmt::format("{}_{}_per_diameter_error", quantity, which));
+        }
+    }
     Csv csv(names);
     for (Measured const& one : all) {
         for (std::size_t k = 0; k < one.point.stiffnesses.size(); ++k) {
@@ -171,7 +173,7 @@ std::string table_of(std::vector<Measured> const& all, Gates const& gates) {
         first += comparisons(one).size();
     }
     return tabular("rrrrrrrl",
-                   {"$\\eta$", "$n$", "slope", "median$/t_{\\mathrm c}$", "Richardson", "softened",
+                   {"$\\eta$", "$n$", "slope", "median$/t_{\\mathrm c}$", "Richardson", "yielding",
                     "kept", "verdict"},
                    cells);
 }
