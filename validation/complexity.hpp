@@ -6,14 +6,13 @@
 #include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/options.hpp"
+#include "validation/harness/processor_time.hpp"
 #include "validation/harness/verdict.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -74,22 +73,6 @@ inline Plan plan(Profile const profile) {
 /// half their distance an exponent belongs to one of them alone, and the caches, which hold less of
 /// a larger system long before its records outgrow them, have room.
 constexpr double margin = 0.4;
-
-/// Starts a method on balls in motion.
-using MethodMaker =
-    std::function<std::unique_ptr<Engine>(System const&, Method, Start const& start)>;
-
-inline std::unique_ptr<Engine> make_true_method(System const& system, Method const method,
-                                                Start const& start) {
-    return make_engine(system, method, Precision::double_, start);
-}
-
-/// Processor time of this thread so far.  [s]
-inline double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A gas in equilibrium, for all methods to start from.
 inline std::pair<System, Start> gas(Plan const& plan, std::int64_t const count,

@@ -105,6 +105,12 @@ experiment one "$meet"
 experiment two "$meet"
 run
 expect 'two experiments run side by side' test "$status" = 0
+alone='mkdir lock || exit 3; sleep 0.3; rmdir lock'
+experiment complexity "$alone"
+experiment speed "$alone"
+run data
+expect 'but not two that time the program' test "$status" = 0
+rm validation/complexity.cpp validation/speed.cpp
 experiment two
 
 experiment one 'exit 1'

@@ -16,4 +16,13 @@ inline std::unique_ptr<Engine> make_true_engine(Scene const& scene) {
     return make_engine(scene.system, scene.method, scene.precision, make_start(scene));
 }
 
+/// Starts a method on balls in motion.
+using MethodMaker =
+    std::function<std::unique_ptr<Engine>(System const&, Method, Start const& start)>;
+
+inline std::unique_ptr<Engine> make_true_method(System const& system, Method const method,
+                                                Start const& start) {
+    return make_engine(system, method, Precision::double_, start);
+}
+
 } // namespace clack::validation

@@ -1,0 +1,120 @@
+// The experiment on speed: factors are judged, parts are told apart, a slow method and one that
+// goes another way are caught.
+
+#include "validation/speed_targets.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace clack;
+using namespace clack::validation;
+using namespace clack::validation::speed;
+
+namespace {
+
+Point const small{.count = 600,
+                  .packing_fraction = 0.4,
+                  .equilibration = 4,
+                  .collisions = 900,
+                  .table_collisions = 120};
+
+Found found_with(MethodMaker const& make) {
+    Found found{small, {}};
+    for (std::uint64_t seed = 0; seed < 5; ++seed)
+        found.replicates.push_back(measure(small, seed, {}, make));
+    return found;
+}
+
+Verdict judged(double const value, double const error) {
+    return judge({at_least(0.9, {value, error, 4})}).front().verdict;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(costs_come_back_from_the_campaign) {
+    Costs costs;
+    costs[in_walls][fast] = {1e-6, 250, {0.1, 0.2, 0.3, 0.15, 0.25}};
+    costs[in_periodic][peer].seconds = 2e-6;
+    Costs const again = costs_of(flat(costs));
+    BOOST_TEST(again[in_walls][fast].bytes == 250);
+    BOOST_TEST(again[in_walls][fast].shares == costs[in_walls][fast].shares);
+    BOOST_TEST(again[in_periodic][peer].seconds == 2e-6);
+    BOOST_TEST(std::isnan(again[in_periodic][table].seconds));
+}
+
+BOOST_AUTO_TEST_CASE(median_is_not_moved_by_one_disturbed_replicate) {
+    BOOST_TEST(median_of({5, 1, 2, 3, 900}).value == 3);
+    BOOST_TEST(median_of({4, 1, 2, 3}).value == 2.5);
+}
+
+BOOST_AUTO_TEST_CASE(factor_agrees_from_the_least_on) {
+    BOOST_TEST((judged(1.2, 0.03) == Verdict::agrees));
+    BOOST_TEST((judged(80, 2) == Verdict::agrees));
+    BOOST_TEST((judged(0.91, 0.03) == Verdict::undecided));
+    BOOST_TEST((judged(0.5, 0.01) == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(peer_is_called_with_its_arguments_and_its_last_line_is_read) {
+    auto const rate = [](std::string const& command) {
+        return 1 / peer_seconds(command, 500, 0.25, 20, 1000, 7);
+    };
+    for (auto const& [place, value] :
+         {std::pair{1, 500.0}, {2, 0.25}, {3, 20.0}, {4, 4.0}, {5, 7.0}})
+        BOOST_TEST(rate(fmt::format("sh -c 'echo rate; echo ${}' sh", place)) == value,
+                   boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(std::isnan(rate("echo it cannot:")));
+    BOOST_TEST(std::isnan(rate("false")));
+}
+
+BOOST_AUTO_TEST_CASE(being_watched_leaves_no_trace) {
+    for (Boundary const boundary : boundaries) {
+        for (Method const method : methods) {
+            System const system = small.system(boundary);
+            Start const start = lattice_start(system, 1);
+            auto const alone = make_true_method(system, method, start);
+            auto const seen = boundary == Boundary::walls
+                                  ? watched<WalledCube>(system, method, start)
+                                  : watched<PeriodicCube>(system, method, start);
+            alone->advance({.ball_collisions = 200});
+            seen->advance({.ball_collisions = 200});
+            BOOST_TEST(seen->time() == alone->time());
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(parts_are_told_apart) {
+    System const system = small.system(Boundary::periodic);
+    Start const start = lattice_start(system, 1);
+    Shares const by_table = shares(system, Method::table, start, 100);
+    Shares const by_heap = shares(system, Method::heap, start, 1000);
+    auto const share = [](Shares const& all, Part const part) {
+        return all[static_cast<std::size_t>(part)];
+    };
+    for (Shares const& all : {by_table, by_heap})
+        BOOST_TEST(std::accumulate(all.begin(), all.end(), 0.0) == 1,
+                   boost::test_tools::tolerance(1e-12));
+    // All other balls are candidates of the table's: nothing is gathered, everything predicted.
+    BOOST_TEST(share(by_table, Part::prediction) > 0.5);
+    BOOST_TEST(share(by_table, Part::search) < 0.1);
+    BOOST_TEST(share(by_heap, Part::search) > 0.05);
+    BOOST_TEST(share(by_heap, Part::queue) > 0.05);
+}
+
+// The mutant: `fast` that scans all balls.
+BOOST_AUTO_TEST_CASE(fast_method_that_is_slow_is_caught) {
+    std::vector<Found> const all{
+        found_with([](System const& system, Method const method, Start const& start) {
+            return make_true_method(system, method == Method::fast ? Method::table : method, start);
+        })};
+    for (Target const& target : targets_of(all))
+        if (target.yardstick == Yardstick::heap) BOOST_TEST((target.verdict == Verdict::differs));
+    for (Target const& target : targets_of({found_with(make_true_method)}))
+        if (is_judged(target.yardstick)) BOOST_TEST((target.verdict != Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(method_that_goes_another_way_is_caught) {
+    auto const strays = [](System const& system, Method const method, Start start) {
+        if (method == Method::fast) start.velocities(0, 0) += 1e-12;
+        return make_true_method(system, method, start);
+    };
+    BOOST_CHECK_THROW(measure(small, 1, {}, strays), LawBroken);
+}
