@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace clack::validation {
@@ -24,10 +25,12 @@ Question const question{
 
 std::vector<Found> measured(Plan const& plan, Experiment& experiment) {
     std::string const peer_command = peer_of_environment();
+    std::string with_peer = peer_command.empty() ? "" : " peer=" + peer_command;
+    std::replace(with_peer.begin(), with_peer.end(), '|', ' '); // which ends a state point's text
     std::vector<Found> all;
     for (Point const& point : plan.points()) {
         auto const replicates = experiment.campaign().replicates(
-            point.text() + (peer_command.empty() ? "" : " peer=" + peer_command), plan.replicates,
+            point.text() + with_peer, plan.replicates,
             [&](std::uint64_t const seed) { return flat(measure(point, seed, peer_command)); });
         Found found{point, {}};
         for (Measurement const& replicate : replicates)

@@ -20,8 +20,11 @@ struct Found {
     Point point;
     std::vector<Costs> replicates;
 
+    /// Whether it ran there, each time.
     bool has(std::size_t const boundary, std::size_t const runner) const {
-        return !std::isnan(replicates.front()[boundary][runner].seconds);
+        return std::none_of(replicates.begin(), replicates.end(), [=](Costs const& costs) {
+            return std::isnan(costs[boundary][runner].seconds);
+        });
     }
     /// The median of one value a replicate.
     template <class Of> Estimate median(Of&& of) const {
