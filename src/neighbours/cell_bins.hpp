@@ -45,15 +45,35 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Balls by cell.
+/// Balls by cell. Where there are more cells than bins, cells that are a multiple of the bins apart
+/// along an axis share one: a ball's surroundings then hold a few balls that are far away.
 class CellBins {
 public:
     using Cell = std::array<std::int32_t, 4>; // three coordinates, and nothing
 
     CellBins(Boundary boundary, std::int32_t cells_per_side, std::size_t ball_count)
-        : per_side_(cells_per_side), cell_of_(large_vector<Cell>(ball_count)) {
-        lay_out(boundary);
+        : boundary_(boundary), bins_per_side_(cells_per_side),
+          cell_of_(large_vector<Cell>(ball_count)) {
+        lay_out(cells_per_side);
         clear();
+    }
+
+    /// Cuts the cube into more cells, a multiple of the bins, or into as many again.
+    void lay_out(std::int32_t cells_per_side) {
+        per_side_ = cells_per_side;
+        auto const m = static_cast<std::size_t>(bins_per_side_);
+        auto const c = static_cast<std::size_t>(per_side_);
+        // Beyond walls lies one layer of bins that stay empty.
+        std::size_t const beyond = boundary_ == Boundary::walls ? 1 : 0;
+        std::size_t stride = 1;
+        for (auto& line : line_) {
+            line.clear();
+            line.push_back((beyond ? 0 : (c - 1) % m) * stride);
+            for (std::size_t k = 0; k < c; ++k) line.push_back((k % m + beyond) * stride);
+            line.push_back((beyond ? m + 1 : 0) * stride);
+            stride *= m + 2 * beyond;
+        }
+        bin_count_ = stride;
     }
 
     std::int32_t cells_per_side() const { return per_side_; }
@@ -68,7 +88,7 @@ public:
         return __builtin_convertvector(loaded, Fours<double>);
     }
 
-    void clear() { cells_.reset(cell_count_); }
+    void clear() { cells_.reset(bin_count_); }
 
     void insert(std::int32_t ball, Cell const& cell) {
         cell_of_[static_cast<std::size_t>(ball)] = cell;
@@ -157,24 +177,12 @@ private:
         return lines(0, cell)[1] + lines(1, cell)[1] + lines(2, cell)[1];
     }
 
-    /// Beyond walls lies one layer of cells that stay empty.
-    void lay_out(Boundary boundary) {
-        std::size_t const m = static_cast<std::size_t>(per_side_);
-        std::size_t const beyond = boundary == Boundary::walls ? 1 : 0;
-        std::size_t stride = 1;
-        for (auto& line : line_) {
-            for (std::size_t c = 0; c < m + 2; ++c)
-                line.push_back((beyond ? c : (c + m - 1) % m) * stride);
-            stride *= m + 2 * beyond;
-        }
-        cell_count_ = stride;
-    }
-
-    std::int32_t per_side_;
+    Boundary boundary_;
+    std::int32_t bins_per_side_, per_side_ = 0;
     Cells cells_;
     std::vector<Cell> cell_of_;
     std::array<std::vector<std::size_t>, 3> line_; // of the coordinates from -1 to per_side_
-    std::size_t cell_count_ = 0;
+    std::size_t bin_count_ = 0;
 };
 
 } // namespace clack

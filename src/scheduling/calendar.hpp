@@ -34,10 +34,10 @@ public:
         inverse_width_ = 1 / bucket_width(next, now);
         open_ = 0;
         for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball)
-            file(next[ball].time(), ball);
+            file(next, ball);
     }
 
-    void update(NextEvents<Real> const& next, std::int32_t ball) { file(next[ball].time(), ball); }
+    void update(NextEvents<Real> const& next, std::int32_t ball) { file(next, ball); }
 
     std::int32_t earliest(NextEvents<Real> const& next) {
         if (bucket_.size() < events_ahead) open_one_more(next);
@@ -78,13 +78,14 @@ private:
         return index < far ? static_cast<std::int64_t>(index) : static_cast<std::int64_t>(0x1p62);
     }
 
-    void file(Real time, std::int32_t ball) {
+    void file(NextEvents<Real> const& next, std::int32_t ball) {
+        Real const time = next[ball].time();
         if (!(time < infinity<Real>)) return;
         std::int64_t const bucket = bucket_at(time);
         if (bucket > open_) {
             ring_.insert(static_cast<std::size_t>(bucket & mask_), ball);
         } else {
-            bucket_.insert(time, ball);
+            bucket_.insert(next, ball);
         }
     }
 
@@ -122,7 +123,7 @@ private:
             if (!(time < infinity<Real>)) return;
             std::int64_t const bucket = bucket_at(time);
             if (bucket == open_) {
-                bucket_.insert(time, ball);
+                bucket_.insert(next, ball);
             } else if (bucket > open_ && static_cast<std::size_t>(bucket & mask_) == slot) {
                 ring_.insert(slot, ball);
             }

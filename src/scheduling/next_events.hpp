@@ -63,11 +63,14 @@ public:
         return theirs.partner == ball && theirs.contact == mine.contact;
     }
 
-    /// The total order of events: time, then kind, then permanent numbers.
+    /// The order of simultaneous events: kind, then permanent numbers.
+    using Rank = std::tuple<EventKind, std::int32_t, std::int32_t>;
+    Rank rank(std::int32_t ball) const { return rank(kind(ball), ball, (*this)[ball].partner); }
+
+    /// The total order of events: time, then rank.
     bool precedes(std::int32_t a, std::int32_t b) const {
         Real const time_a = (*this)[a].time(), time_b = (*this)[b].time();
-        if (time_a != time_b) return time_a < time_b;
-        return rank(kind(a), a, (*this)[a].partner) < rank(kind(b), b, (*this)[b].partner);
+        return time_a != time_b ? time_a < time_b : rank(a) < rank(b);
     }
 
     /// Whether a contact of the two balls at `time` comes before what `ball` has.
@@ -82,8 +85,7 @@ public:
     std::size_t bytes() const { return events_.capacity() * sizeof(NextEvent<Real>); }
 
 private:
-    std::tuple<EventKind, std::int32_t, std::int32_t> rank(EventKind kind, std::int32_t ball,
-                                                           Partner partner) const {
+    Rank rank(EventKind kind, std::int32_t ball, Partner partner) const {
         std::int32_t const mine = number(ball);
         if (kind != EventKind::ball) return {kind, mine, wall_of(partner)};
         std::int32_t const theirs = number(partner);

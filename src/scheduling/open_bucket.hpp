@@ -10,48 +10,49 @@
 namespace clack {
 
 /// A few events stand in a row, the earliest last: to insert one by one costs less than a heap's
-/// jumps, which a processor cannot foretell. Many make a heap. Nothing is taken out before its
-/// time: what no longer holds is dropped when it comes up.
+/// jumps, which a processor cannot foretell. Many make a heap, in the total order: of thousands
+/// that happen at one moment each is found at once. Nothing is taken out before its time: what no
+/// longer holds is dropped when it comes up.
 template <class Real> class OpenBucket {
 public:
-    bool empty() const { return events_.empty(); }
-    std::size_t size() const { return events_.size(); }
+    bool empty() const { return row_.empty() && heap_.empty(); }
+    std::size_t size() const { return row_.size() + heap_.size(); }
+    /// The ball so many places behind the first, where that is known.
     std::int32_t upcoming(std::size_t places) const {
-        return heaped_ || events_.size() <= places ? no_event
-                                                   : events_[events_.size() - 1 - places].ball;
+        return row_.size() <= places ? no_event : row_[row_.size() - 1 - places].ball;
     }
     void clear() {
-        events_.clear();
-        heaped_ = false;
+        row_.clear();
+        heap_.clear();
     }
 
-    void insert(Real time, std::int32_t ball) {
-        events_.push_back({time, ball});
-        if (heaped_) {
-            std::push_heap(events_.begin(), events_.end(), later_first);
-        } else if (events_.size() > row_max) {
-            std::make_heap(events_.begin(), events_.end(), later_first);
-            heaped_ = true;
-        } else {
-            std::size_t place = events_.size() - 1;
-            for (; place > 0 && events_[place - 1].time < time; --place)
-                events_[place] = events_[place - 1];
-            events_[place] = {time, ball};
-        }
+    /// The next event of a ball.
+    void insert(NextEvents<Real> const& next, std::int32_t ball) {
+        if (!heap_.empty()) return insert_in_heap(next, ball);
+        if (row_.size() == row_max) return make_heap_with(next, ball);
+        Real const time = next[ball].time();
+        row_.push_back({time, ball});
+        std::size_t place = row_.size() - 1;
+        for (; place > 0 && row_[place - 1].time < time; --place) row_[place] = row_[place - 1];
+        row_[place] = {time, ball};
     }
 
     /// The ball whose event is first in the total order; no_event when none holds any more.
     std::int32_t earliest(NextEvents<Real> const& next) {
-        for (; !events_.empty(); drop_first()) {
-            std::int32_t const first =
-                heaped_ ? first_at_top(next, 0, no_event) : first_in_row(next);
+        for (; !row_.empty(); row_.pop_back()) {
+            std::int32_t const first = first_in_row(next);
             if (first != no_event) return first;
         }
-        clear();
+        for (; !heap_.empty(); drop_top()) {
+            Ranked const& top = heap_.front();
+            if (holds(next, top) && next.rank(top.ball) == top.rank) return top.ball;
+        }
         return no_event;
     }
 
-    std::size_t bytes() const { return events_.capacity() * sizeof(Event); }
+    std::size_t bytes() const {
+        return row_.capacity() * sizeof(Event) + heap_.capacity() * sizeof(Ranked);
+    }
 
 private:
     static constexpr std::size_t row_max = 64;
@@ -60,7 +61,12 @@ private:
         Real time;
         std::int32_t ball;
     };
-    static bool later_first(Event const& a, Event const& b) { return a.time > b.time; }
+    struct Ranked : Event {
+        typename NextEvents<Real>::Rank rank;
+    };
+    static bool later_first(Ranked const& a, Ranked const& b) {
+        return a.time != b.time ? a.time > b.time : a.rank > b.rank;
+    }
 
     static bool holds(NextEvents<Real> const& next, Event const& event) {
         return next[event.ball].time() == event.time;
@@ -71,38 +77,36 @@ private:
                next.kind(b) == EventKind::ball && next.mutual(a);
     }
 
-    void drop_first() {
-        if (heaped_) std::pop_heap(events_.begin(), events_.end(), later_first);
-        events_.pop_back();
+    void insert_in_heap(NextEvents<Real> const& next, std::int32_t ball) {
+        heap_.push_back({{next[ball].time(), ball}, next.rank(ball)});
+        std::push_heap(heap_.begin(), heap_.end(), later_first);
+    }
+    void make_heap_with(NextEvents<Real> const& next, std::int32_t ball) {
+        for (Event const& event : row_)
+            if (holds(next, event)) insert_in_heap(next, event.ball);
+        row_.clear();
+        insert_in_heap(next, ball);
+    }
+    void drop_top() {
+        std::pop_heap(heap_.begin(), heap_.end(), later_first);
+        heap_.pop_back();
     }
 
     std::int32_t first_in_row(NextEvents<Real> const& next) const {
-        Event const& last = events_.back();
+        Event const& last = row_.back();
         std::int32_t first = holds(next, last) ? last.ball : no_event;
-        for (std::size_t k = events_.size() - 1; k > 0 && events_[k - 1].time == last.time; --k) {
+        for (std::size_t k = row_.size() - 1; k > 0 && row_[k - 1].time == last.time; --k) {
             // The two of a collision, mostly: either stands for both.
-            std::int32_t const ball = events_[k - 1].ball;
+            std::int32_t const ball = row_[k - 1].ball;
             if (first != no_event && same_collision(next, first, ball)) continue;
-            if (holds(next, events_[k - 1]) && (first == no_event || next.precedes(ball, first)))
+            if (holds(next, row_[k - 1]) && (first == no_event || next.precedes(ball, first)))
                 first = ball;
         }
         return first;
     }
 
-    /// A heap goes by time alone. Events as early as its top hang together below it; of those that
-    /// hold, the first in the total order.
-    std::int32_t first_at_top(NextEvents<Real> const& next, std::size_t k,
-                              std::int32_t first) const {
-        if (k >= events_.size() || events_[k].time != events_[0].time) return first;
-        std::int32_t const ball = events_[k].ball;
-        if (holds(next, events_[k]) && (first == no_event || next.precedes(ball, first)))
-            first = ball;
-        first = first_at_top(next, 2 * k + 1, first);
-        return first_at_top(next, 2 * k + 2, first);
-    }
-
-    std::vector<Event> events_;
-    bool heaped_ = false;
+    std::vector<Event> row_;
+    std::vector<Ranked> heap_; // empty, or else the row is
 };
 
 } // namespace clack

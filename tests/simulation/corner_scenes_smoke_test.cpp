@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(memory_is_at_most_twice_the_ordinary) {
 /// others costs eight times as much. Three leaves room for the caches on one side and for what does
 /// not grow on the other.
 BOOST_AUTO_TEST_CASE(cost_of_a_ball_does_not_grow_with_their_number) {
-    for (Make const make : {one_fast_ball}) {
+    for (Make const make : {lump, layer_at_wall, one_fast_ball}) {
         std::vector<Scene> const few = in_both(make, 500), many = in_both(make, 4000);
         for (std::size_t k = 0; k < few.size(); ++k)
             BOOST_TEST(seconds_per_ball(many[k]) < 3 * seconds_per_ball(few[k]));
