@@ -4,6 +4,7 @@
 
 #include "cli/progress.hpp"
 #include "cli/summary.hpp"
+#include "view/view.hpp"
 
 #include <string>
 #include <vector>
@@ -51,5 +52,8 @@ struct ExportOptions {
 
 /// Writes a trajectory's frames as extended XYZ.
 int export_command(ExportOptions const& options);
+
+/// Shows a scene or a trajectory, as pictures or in a window.
+int view_command(view::Options options);
 
 } // namespace clack

@@ -10,23 +10,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <numbers>
 #include <optional>
-#include <string_view>
 
 namespace clack {
 
 namespace {
 
 void line(char const* name, std::string const& value) { fmt::print("{:<18}{}\n", name, value); }
-
-bool is_hdf5(std::string const& path) {
-    std::ifstream file(path, std::ios::binary);
-    char start[8] = {};
-    file.read(start, sizeof start);
-    return std::string_view(start, sizeof start) == "\x89HDF\r\n\x1a\n";
-}
 
 void print_system(System const& system) {
     line("balls",

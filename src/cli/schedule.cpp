@@ -13,11 +13,6 @@ constexpr double infinity_of_time = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t no_count = std::numeric_limits<std::uint64_t>::max();
 constexpr double samples_min = 200; // and below twice as many: blocks of all lengths, few bytes
 
-/// Each ball takes part in half of the collisions that are counted for it.
-std::uint64_t collisions_of(double per_ball, std::int64_t count) {
-    return static_cast<std::uint64_t>(std::ceil(per_ball * static_cast<double>(count) / 2));
-}
-
 } // namespace
 
 Schedule::Schedule(Scene const& scene)

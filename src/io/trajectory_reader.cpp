@@ -27,9 +27,7 @@ void require_hdf5(std::string const& path) {
                                                 (errno ? std::strerror(errno) : "not a file") +
                                                 "); check the name");
     }
-    char start[8] = {};
-    file.read(start, sizeof start);
-    if (std::memcmp(start, "\x89HDF\r\n\x1a\n", sizeof start) != 0) {
+    if (!is_hdf5(path)) {
         throw FileError(FileFault::not_hdf5, path + ": is not an HDF5 file; give a trajectory");
     }
 }
@@ -155,6 +153,13 @@ ResumePoint const& TrajectoryReader::resume_point() const {
         throw_truncated(path_, "it holds less than its checkpoint says");
     }
     return *point_;
+}
+
+bool is_hdf5(std::string const& path) {
+    std::ifstream file(path, std::ios::binary);
+    char start[8] = {};
+    file.read(start, sizeof start);
+    return std::memcmp(start, "\x89HDF\r\n\x1a\n", sizeof start) == 0;
 }
 
 Start last_frame(std::string const& path) {

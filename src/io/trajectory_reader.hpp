@@ -55,6 +55,9 @@ private:
     std::optional<EventSeries> events_;
 };
 
+/// Whether a file is there and calls itself HDF5.
+bool is_hdf5(std::string const& path);
+
 /// The last frame of any H5MD file: of its particle group `balls`, else of its only one with
 /// positions. Without stored velocities those are left empty. Throws FileError.
 Start last_frame(std::string const& path);

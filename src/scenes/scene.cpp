@@ -226,6 +226,10 @@ void check_start(Document const& document, Scene const& scene) {
 
 } // namespace
 
+std::uint64_t collisions_of(double per_ball, std::int64_t count) {
+    return static_cast<std::uint64_t>(std::ceil(per_ball * static_cast<double>(count) / 2));
+}
+
 Scene parse_scene(std::string const& text, std::string const& source,
                   std::vector<std::string> const& overrides) {
     Document const document(text, source, overrides);

@@ -45,6 +45,9 @@ struct Scene {
     Events events = Events::dropped;
 };
 
+/// Collisions in which each ball takes part in so many, on average: a ball in half of those counted.
+std::uint64_t collisions_of(double per_ball, std::int64_t count);
+
 /// Reads and checks a scene file; each override is "section.key=value" in TOML.
 /// Throws InputError, one line with file, line, key, value and rule.
 Scene read_scene(std::string const& path, std::vector<std::string> const& overrides = {});

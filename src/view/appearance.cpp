@@ -1,0 +1,182 @@
+#include "view/appearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clack::view {
+
+namespace {
+
+constexpr Colour blue{0, 114, 178}, orange{230, 159, 0}; // Okabe and Ito's
+constexpr Colour pair_colour{214, 39, 140};
+
+Eigen::Vector3f in_sides(Eigen::Vector3d const& place, System const& system) {
+    return (place / system.side).cast<float>();
+}
+
+double mean_energy(Frame const& frame) {
+    return frame.sample.kinetic_energy / static_cast<double>(frame.system.count);
+}
+
+Colour colour_of(Frame const& frame, Colouring colouring, double top, Eigen::Index ball) {
+    auto const& velocity = frame.snapshot.velocities.col(ball);
+    switch (colouring) {
+    case Colouring::speed:
+        return scale_colour(velocity.norm() / top);
+    case Colouring::energy:
+        return scale_colour(0.5 * frame.system.mass * velocity.squaredNorm() / top);
+    case Colouring::collisions:
+        if (frame.collisions.empty()) return {150, 150, 150};
+        return scale_colour(frame.collisions[static_cast<std::size_t>(ball)] / top);
+    default:
+        return (*frame.start_places)(0, ball) < frame.system.side / 2 ? blue : orange;
+    }
+}
+
+void add_cube(Picture& picture, Background background) {
+    Colour const colour =
+        background == Background::light ? Colour{70, 75, 80} : Colour{190, 195, 200};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int corner = 0; corner < 4; ++corner) {
+            Eigen::Vector3f from = Eigen::Vector3f::Zero();
+            from[(axis + 1) % 3] = static_cast<float>(corner & 1);
+            from[(axis + 2) % 3] = static_cast<float>(corner >> 1);
+            Eigen::Vector3f const to = from + Eigen::Vector3f::Unit(axis);
+            picture.lines.push_back({from, to, colour, 1.6f, DrawnLine::Hiding::by_balls});
+        }
+    }
+}
+
+void add_clip_frame(Picture& picture) {
+    Colour const colour{204, 121, 167};
+    float const y = 1 - picture.clip;
+    std::array<Eigen::Vector3f, 4> const corners{Eigen::Vector3f{0, y, 0}, Eigen::Vector3f{1, y, 0},
+                                                 Eigen::Vector3f{1, y, 1},
+                                                 Eigen::Vector3f{0, y, 1}};
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        picture.lines.push_back({corners[k], corners[(k + 1) % corners.size()], colour, 1.4f,
+                                 DrawnLine::Hiding::by_balls});
+    }
+}
+
+/// A flight that leaves a periodic cube goes on at the other side: one line for each crossing.
+void add_flight(Picture& picture, System const& system, Eigen::Vector3d from,
+                Eigen::Vector3d const& velocity, double duration) {
+    Colour const colour =
+        picture.background == Background::light ? Colour{213, 94, 0} : Colour{255, 160, 60};
+    constexpr int crossings_max = 64;
+    for (int crossing = 0; crossing < crossings_max && duration > 0; ++crossing) {
+        double wait = duration;
+        int exit = -1;
+        for (int axis = 0; axis < 3 && system.boundary == Boundary::periodic; ++axis) {
+            double const room = velocity[axis] > 0 ? system.side - from[axis] : -from[axis];
+            double const until = velocity[axis] == 0 ? duration : room / velocity[axis];
+            if (until < wait) {
+                wait = until;
+                exit = axis;
+            }
+        }
+        Eigen::Vector3d to = from + velocity * wait;
+        picture.lines.push_back(
+            {in_sides(from, system), in_sides(to, system), colour, 2.f, DrawnLine::Hiding::never});
+        if (exit >= 0) to[exit] = velocity[exit] > 0 ? 0 : system.side;
+        from = to;
+        duration -= wait;
+    }
+}
+
+void add_path(Picture& picture, Frame const& frame) {
+    for (std::size_t k = 0; k < frame.path.size(); ++k) {
+        Bend const& bend = frame.path[k];
+        double const end = k + 1 < frame.path.size() ? frame.path[k + 1].time : frame.snapshot.time;
+        add_flight(picture, frame.system, bend.place, bend.velocity, end - bend.time);
+    }
+}
+
+void add_marks(Picture& picture, Frame const& frame, Look const& look) {
+    auto const ring = [&](std::int64_t ball, Colour colour) {
+        if (ball < 0 || ball >= frame.system.count) return;
+        picture.rings.push_back(
+            {in_sides(frame.snapshot.positions.col(ball), frame.system), colour});
+    };
+    if (look.next_pair == Shown::yes && frame.next) {
+        ring(frame.next->first, pair_colour);
+        ring(frame.next->second, pair_colour);
+    }
+    if (frame.traced >= 0) {
+        add_path(picture, frame);
+        ring(frame.traced,
+             look.background == Background::light ? Colour{0, 0, 0} : Colour{255, 255, 255});
+        if (frame.next_of_traced) {
+            auto const& next = *frame.next_of_traced;
+            ring(next.first == frame.traced ? next.second : next.first, {86, 180, 233});
+        }
+    }
+}
+
+} // namespace
+
+Colour scale_colour(double share) {
+    // Viridis (S. van der Walt, N. Smith, 2015) at eighths, without its last, yellow end.
+    constexpr std::array<std::array<double, 3>, 8> table{{{68, 1, 84},
+                                                          {72, 38, 119},
+                                                          {63, 72, 137},
+                                                          {49, 104, 142},
+                                                          {38, 130, 142},
+                                                          {31, 158, 137},
+                                                          {74, 193, 109},
+                                                          {180, 222, 44}}};
+    double const at = std::clamp(share, 0.0, 1.0) * static_cast<double>(table.size() - 1);
+    auto const below = std::min(static_cast<std::size_t>(at), table.size() - 2);
+    double const part = at - static_cast<double>(below);
+    Colour colour{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        colour[c] = static_cast<std::uint8_t>(
+            std::lround((1 - part) * table[below][c] + part * table[below + 1][c]));
+    }
+    return colour;
+}
+
+double scale_top(Frame const& frame, Colouring colouring) {
+    double const energy = std::max(mean_energy(frame), 1e-300);
+    switch (colouring) {
+    case Colouring::speed: // hardly any ball of a gas is twice as fast as most
+        return 2 * std::sqrt(2 * energy / frame.system.mass);
+    case Colouring::energy:
+        return 4 * energy;
+    case Colouring::collisions: {
+        auto const most = std::max_element(frame.collisions.begin(), frame.collisions.end());
+        return most == frame.collisions.end() ? 1 : std::max(1.0, static_cast<double>(*most));
+    }
+    default:
+        return 1;
+    }
+}
+
+Picture picture_of(Frame const& frame, Look const& look) {
+    Picture picture;
+    System const& system = frame.system;
+    picture.background = look.background;
+    picture.radius = static_cast<float>(system.diameter / system.side / 2);
+    picture.clip = static_cast<float>(look.clip);
+    double const top = scale_top(frame, look.colouring);
+    bool const flash = look.flashes == Shown::yes && !frame.last_times.empty();
+    picture.balls.resize(static_cast<std::size_t>(system.count));
+    for (Eigen::Index ball = 0; ball < system.count; ++ball) {
+        auto const i = static_cast<std::size_t>(ball);
+        auto const place = in_sides(frame.snapshot.positions.col(ball), system);
+        std::uint8_t glow = 0;
+        if (flash) {
+            double const age = frame.snapshot.time - frame.last_times[i];
+            glow = static_cast<std::uint8_t>(255 * std::exp(-std::max(age, 0.0) / look.flash_wait));
+        }
+        picture.balls[i] = {place.x(), place.y(), place.z(),
+                            colour_of(frame, look.colouring, top, ball), glow};
+    }
+    if (look.cube == Shown::yes) add_cube(picture, look.background);
+    if (look.clip < 1) add_clip_frame(picture);
+    add_marks(picture, frame, look);
+    return picture;
+}
+
+} // namespace clack::view

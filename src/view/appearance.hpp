@@ -1,0 +1,28 @@
+#pragma once
+// From an instant to a picture: which colour each ball has and what is marked.
+
+#include "view/frame.hpp"
+#include "view/picture.hpp"
+
+namespace clack::view {
+
+enum class Shown { no, yes };
+
+struct Look {
+    Colouring colouring = Colouring::speed;
+    Background background = Background::light;
+    Shown flashes = Shown::no;
+    double flash_wait = 0.1; // in which a flash fades  [time]
+    Shown next_pair = Shown::no;
+    Shown cube = Shown::yes;
+    double clip = 1; // share of the cube's depth that is drawn
+};
+
+Picture picture_of(Frame const& frame, Look const& look);
+
+/// Colours of a scale from 0 to 1: dark blue to light green, lightness rising evenly.
+Colour scale_colour(double share);
+/// The value that has the scale's last colour, for the legend.
+double scale_top(Frame const& frame, Colouring colouring);
+
+} // namespace clack::view

@@ -1,0 +1,199 @@
+#include "view/replay.hpp"
+
+#include "state/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace clack::view {
+
+Replay::Replay(std::string const& path) : path_(path) {
+    open();
+    if (frame_times_.empty()) {
+        throw InputError(path + ": holds no frame yet, its run is still equilibrating; look again "
+                                "later, or view its scene");
+    }
+    start_places_ = file_->snapshot(0).positions;
+    history_ = History(system().count);
+    show_frame(0);
+}
+
+void Replay::open() {
+    file_ = std::make_unique<TrajectoryReader>(path_);
+    for (std::size_t frame = frame_times_.size(); frame < file_->frame_count(); ++frame) {
+        auto const tallies = file_->frame_sample(frame).tallies;
+        frame_times_.push_back(file_->frame_time(frame));
+        frame_events_.push_back(
+            static_cast<std::size_t>(tallies.ball_collisions + tallies.wall_collisions));
+    }
+}
+
+void Replay::refresh() {
+    if (is_growing()) open();
+}
+
+std::size_t Replay::frame_at(double time) const {
+    auto const later = std::upper_bound(frame_times_.begin(), frame_times_.end(), time);
+    return later == frame_times_.begin()
+               ? 0
+               : static_cast<std::size_t>(later - frame_times_.begin()) - 1;
+}
+
+void Replay::show_frame(std::size_t frame) {
+    frame_ = frame;
+    time_ = frame_times_[frame];
+    flights_ = file_->snapshot(frame);
+    since_.assign(static_cast<std::size_t>(system().count), time_);
+    next_event_ = frame_events_[frame];
+}
+
+/// An event of the file, with the times of the others near it read at once.
+Collision<double> const* Replay::event(std::size_t index) {
+    constexpr std::size_t at_once = 8192;
+    if (index >= file_->event_count()) return nullptr;
+    if (index < window_begin_ || index >= window_begin_ + window_.size()) {
+        window_begin_ = index;
+        window_ = file_->events(index, std::min(at_once, file_->event_count() - index));
+    }
+    return &window_[index - window_begin_];
+}
+
+void Replay::fly_to(std::int64_t ball, double time) {
+    auto& since = since_[static_cast<std::size_t>(ball)];
+    flights_.positions.col(ball) += flights_.velocities.col(ball) * (time - since);
+    since = time;
+}
+
+/// A file tells who collided and how fast they left; where, their flights do.
+void Replay::take_event(Collision<double> event) {
+    fly_to(event.first, event.time);
+    flights_.velocities.col(event.first) = event.velocity_first;
+    event.position = wrapped(flights_.positions.col(event.first));
+    if (event.kind == CollisionKind::ball) {
+        fly_to(event.second, event.time);
+        flights_.velocities.col(event.second) = event.velocity_second;
+        event.separation = wrapped(flights_.positions.col(event.second)) - event.position;
+    }
+    history_(event);
+    ++next_event_;
+    time_ = event.time;
+}
+
+Eigen::Vector3d Replay::wrapped(Eigen::Vector3d place) const {
+    if (system().boundary == Boundary::walls) return place;
+    for (double& x : place) x -= std::floor(x / system().side) * system().side;
+    return place;
+}
+
+Progress Replay::advance(double until) {
+    until = std::min(until, last_time());
+    if (!has_events()) {
+        if (frame_at(until) != frame_) show_frame(frame_at(until));
+        return Progress::arrived;
+    }
+    constexpr int events_max = 50'000;
+    for (int events = 0; events < events_max; ++events) {
+        auto const* const next = event(next_event_);
+        if (!next || next->time > until) {
+            time_ = std::max(time_, until);
+            frame_ = frame_at(time_);
+            return Progress::arrived;
+        }
+        take_event(*next);
+    }
+    return Progress::under_way;
+}
+
+/// What balls have been through is told from the first event on.
+void Replay::rewind_to(std::size_t frame) {
+    auto const traced = history_.traced();
+    history_ = History(system().count);
+    show_frame(0);
+    if (traced >= 0) trace(traced);
+    while (next_event_ < frame_events_[frame]) take_event(*event(next_event_));
+    show_frame(frame); // the stored places, free of what rounding adds up
+}
+
+void Replay::seek(double to) {
+    to = std::clamp(to, first_time(), last_time());
+    if (has_events() && to < time_) rewind_to(frame_at(to));
+    while (advance(to) != Progress::arrived) {
+    }
+}
+
+bool Replay::step() {
+    if (!has_events()) {
+        if (frame_ + 1 >= frame_times_.size()) return false;
+        show_frame(frame_ + 1);
+        return true;
+    }
+    auto const* const next = event(next_event_);
+    if (!next) return false;
+    take_event(*next);
+    frame_ = frame_at(time_);
+    return true;
+}
+
+bool Replay::step_back() {
+    if (!has_events()) {
+        if (frame_ == 0) return false;
+        show_frame(frame_ - 1);
+        return true;
+    }
+    if (next_event_ == 0) return false;
+    auto const wanted = next_event_ - (history_.last_time() >= time_ ? 1 : 0);
+    auto const later = std::upper_bound(frame_events_.begin(), frame_events_.end(), wanted);
+    rewind_to(static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - frame_events_.begin(), 1)) -
+              1);
+    while (next_event_ < wanted) take_event(*event(next_event_));
+    if (wanted > 0)
+        time_ = event(wanted - 1)->time;
+    else
+        time_ = first_time();
+    frame_ = frame_at(time_);
+    return true;
+}
+
+Snapshot Replay::snapshot() const {
+    Snapshot now = flights_;
+    now.time = time_;
+    for (Eigen::Index ball = 0; ball < now.positions.cols(); ++ball) {
+        double const flown = time_ - since_[static_cast<std::size_t>(ball)];
+        now.positions.col(ball) =
+            wrapped(now.positions.col(ball) + flown * now.velocities.col(ball));
+    }
+    return now;
+}
+
+void Replay::trace(std::int64_t ball) {
+    if (ball < 0 || ball >= system().count) {
+        history_.trace(-1, {});
+        return;
+    }
+    auto const now = snapshot();
+    history_.trace(ball, {time_, now.positions.col(ball), now.velocities.col(ball)});
+}
+
+std::optional<NextCollision> Replay::next_collision(std::optional<std::int64_t> ball) {
+    if (!has_events()) return std::nullopt;
+    constexpr std::size_t look_ahead = 200'000;
+    for (std::size_t index = next_event_; index < next_event_ + look_ahead; ++index) {
+        auto const* const next = event(index);
+        if (!next) break;
+        bool const of_balls = next->kind == CollisionKind::ball;
+        if (!ball || next->first == *ball || (of_balls && next->second == *ball))
+            return NextCollision{next->time, next->first, of_balls ? next->second : -1};
+    }
+    return std::nullopt;
+}
+
+std::string Replay::description() const {
+    return fmt::format("{}, frame {} of {}{}{}", std::filesystem::path(path_).filename().string(),
+                       frame_ + 1, frame_times_.size(), has_events() ? ", every collision" : "",
+                       is_growing() ? ", being written" : "");
+}
+
+} // namespace clack::view

@@ -1,0 +1,70 @@
+#pragma once
+// A trajectory, replayed: from frame to frame, and between frames exactly where the file holds its
+// collisions.
+
+#include "io/trajectory_reader.hpp"
+#include "view/source.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace clack::view {
+
+class Replay final : public Source {
+public:
+    /// Throws FileError, and InputError when the file holds no frame.
+    explicit Replay(std::string const& path);
+
+    System const& system() const override { return file_->header().system; }
+    double time() const override { return time_; }
+    double first_time() const override { return frame_times_.front(); }
+    double last_time() const override { return frame_times_.back(); }
+
+    Progress advance(double until) override;
+    /// Without collisions in the file: to the last frame that is not later.
+    void seek(double to) override;
+    /// Without collisions in the file: from frame to frame.
+    bool step() override;
+    bool step_back() override;
+
+    Snapshot snapshot() const override;
+    Sample sample() const override { return file_->frame_sample(frame_); }
+    History const* history() const override { return has_events() ? &history_ : nullptr; }
+    void trace(std::int64_t ball) override;
+    std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball) override;
+    Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
+    std::string description() const override;
+
+    /// Opens the file anew: a running simulation may have written more.
+    void refresh() override;
+
+    bool is_growing() const { return file_->left_open(); }
+    bool has_events() const { return file_->header().events == Events::stored; }
+
+private:
+    void open();
+    void show_frame(std::size_t frame);
+    std::size_t frame_at(double time) const;
+    void fly_to(std::int64_t ball, double time);
+    void take_event(Collision<double> event);
+    Collision<double> const* event(std::size_t index);
+    void rewind_to(std::size_t frame);
+    Eigen::Vector3d wrapped(Eigen::Vector3d place) const;
+
+    std::string path_;
+    std::unique_ptr<TrajectoryReader> file_;
+    std::vector<double> frame_times_;
+    std::vector<std::size_t> frame_events_; // events up to each frame
+    std::size_t frame_ = 0;                 // the last one not later than now
+    double time_ = 0;
+
+    Snapshot flights_;                      // places and velocities as the last event left them
+    std::vector<double> since_;             // when that was
+    std::size_t next_event_ = 0;            // the first that is later than now
+    std::vector<Collision<double>> window_; // events read at once
+    std::size_t window_begin_ = 0;
+    History history_;
+    Eigen::Matrix3Xd start_places_;
+};
+
+} // namespace clack::view
