@@ -1,5 +1,6 @@
 #include "reference/velocity_laws.hpp"
 
+#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
@@ -52,8 +53,9 @@ double VelocityLaw::speed_probability(double const speed) const {
 }
 
 double VelocityLaw::speed_quantile(double const probability) const {
+    // GSL's inverse gives up at some probabilities when the balls are many.
     return top_speed_ *
-           std::sqrt(gsl_cdf_beta_Pinv(probability, 1.5, (degrees_of_freedom_ - 3) / 2));
+           std::sqrt(boost::math::ibeta_inv(1.5, (degrees_of_freedom_ - 3) / 2, probability));
 }
 
 double VelocityLaw::component_density(double const component) const {

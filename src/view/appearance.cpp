@@ -99,7 +99,7 @@ void add_marks(Picture& picture, Frame const& frame, Look const& look) {
         picture.rings.push_back(
             {in_sides(frame.snapshot.positions.col(ball), frame.system), colour});
     };
-    if (look.next_pair == Shown::yes && frame.next) {
+    if (look.next_pair == Visible::yes && frame.next) {
         ring(frame.next->first, pair_colour);
         ring(frame.next->second, pair_colour);
     }
@@ -160,7 +160,7 @@ Picture picture_of(Frame const& frame, Look const& look) {
     picture.radius = static_cast<float>(system.diameter / system.side / 2);
     picture.clip = static_cast<float>(look.clip);
     double const top = scale_top(frame, look.colouring);
-    bool const flash = look.flashes == Shown::yes && !frame.last_times.empty();
+    bool const flash = look.flashes == Visible::yes && !frame.last_times.empty();
     picture.balls.resize(static_cast<std::size_t>(system.count));
     for (Eigen::Index ball = 0; ball < system.count; ++ball) {
         auto const i = static_cast<std::size_t>(ball);
@@ -173,7 +173,7 @@ Picture picture_of(Frame const& frame, Look const& look) {
         picture.balls[i] = {place.x(), place.y(), place.z(),
                             colour_of(frame, look.colouring, top, ball), glow};
     }
-    if (look.cube == Shown::yes) add_cube(picture, look.background);
+    if (look.cube == Visible::yes) add_cube(picture, look.background);
     if (look.clip < 1) add_clip_frame(picture);
     add_marks(picture, frame, look);
     return picture;

@@ -6,16 +6,18 @@
 
 namespace clack::view {
 
-enum class Shown { no, yes };
+enum class Visible { no, yes };
 
 struct Look {
     Colouring colouring = Colouring::speed;
     Background background = Background::light;
-    Shown flashes = Shown::no;
+    Visible flashes = Visible::no;
     double flash_wait = 0.1; // in which a flash fades  [time]
-    Shown next_pair = Shown::no;
-    Shown cube = Shown::yes;
+    Visible next_pair = Visible::no;
+    Visible cube = Visible::yes;
     double clip = 1; // share of the cube's depth that is drawn
+
+    bool operator==(Look const&) const = default;
 };
 
 Picture picture_of(Frame const& frame, Look const& look);

@@ -8,6 +8,7 @@ namespace clack::view {
 /// Size of a picture in pixels.
 struct PixelSize {
     int width = 0, height = 0;
+    bool operator==(PixelSize const&) const = default;
     float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
 };
 

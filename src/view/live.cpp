@@ -53,7 +53,7 @@ void Live::begin() {
     keep();
 }
 
-double Live::equilibration_share() const {
+double Live::preparation_share() const {
     if (equilibrated_) return 1;
     return static_cast<double>(engine_->tallies().ball_collisions) /
            static_cast<double>(equilibration_);

@@ -32,9 +32,7 @@ public:
     std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball) override;
     Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
     std::string description() const override;
-
-    /// Share of the equilibration that is done; 1 from time 0 on.
-    double equilibration_share() const;
+    double preparation_share() const override;
 
 private:
     /// A state to go back to.

@@ -2,7 +2,7 @@
 // A movie in a file: frames handed to ffmpeg.
 
 #include "io/output_file.hpp"
-#include "view/offscreen.hpp"
+#include "view/canvas.hpp"
 
 #include <sys/types.h>
 

@@ -1,18 +1,12 @@
 #pragma once
 // Pictures without a window, a display or a graphics card.
 
+#include "view/canvas.hpp"
 #include "view/drawing.hpp"
 
 #include <memory>
-#include <vector>
 
 namespace clack::view {
-
-/// Rows from the top, three bytes a pixel.
-struct Pixels {
-    PixelSize size;
-    std::vector<std::uint8_t> rgb;
-};
 
 /// A context of OpenGL that draws into memory (EGL without a surface). Throws InputError where
 /// there is none.

@@ -3,6 +3,7 @@
 #include "state/errors.hpp"
 #include "view/appearance.hpp"
 #include "view/movie.hpp"
+#include "view/offscreen.hpp"
 #include "view/png_file.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +72,7 @@ void make_movie(Source& source, Options const& options) {
     Offscreen offscreen(size, samples);
     auto const camera = camera_for(options, size);
     Look look = look_of(options);
-    look.flashes = Shown::yes;
+    look.flashes = Visible::yes;
     constexpr double flash_seconds = 0.08;
     look.flash_wait = flash_seconds * options.speed;
     Movie movie(options.movie, size, options.frame_rate);

@@ -1,7 +1,7 @@
 #pragma once
 // A picture in a file.
 
-#include "view/offscreen.hpp"
+#include "view/canvas.hpp"
 
 #include <string>
 

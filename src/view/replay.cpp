@@ -1,6 +1,6 @@
 #include "view/replay.hpp"
 
-#include "state/errors.hpp"
+#include "io/file_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,11 @@ void Replay::open() {
 }
 
 void Replay::refresh() {
-    if (is_growing()) open();
+    if (!may_grow()) return;
+    try {
+        open();
+    } catch (FileError const&) { // its writer is in the middle of something: next time
+    }
 }
 
 std::size_t Replay::frame_at(double time) const {
@@ -193,7 +197,7 @@ std::optional<NextCollision> Replay::next_collision(std::optional<std::int64_t> 
 std::string Replay::description() const {
     return fmt::format("{}, frame {} of {}{}{}", std::filesystem::path(path_).filename().string(),
                        frame_ + 1, frame_times_.size(), has_events() ? ", every collision" : "",
-                       is_growing() ? ", being written" : "");
+                       may_grow() ? ", being written" : "");
 }
 
 } // namespace clack::view

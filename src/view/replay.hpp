@@ -35,10 +35,10 @@ public:
     Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
     std::string description() const override;
 
-    /// Opens the file anew: a running simulation may have written more.
+    bool may_grow() const override { return file_->left_open(); }
+    /// Opens the file anew.
     void refresh() override;
 
-    bool is_growing() const { return file_->left_open(); }
     bool has_events() const { return file_->header().events == Events::stored; }
 
 private:

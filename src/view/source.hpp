@@ -55,7 +55,10 @@ public:
     virtual Eigen::Matrix3Xd const& start_places() const = 0;
     /// "the engine: cell grid, calendar, double", "gas.h5, frame 3 of 20".
     virtual std::string description() const = 0;
-    /// Looks whether there is more to show than before.
+    /// Share of what comes before the first time that is done: an equilibration.
+    virtual double preparation_share() const { return 1; }
+    /// Whether a file is still being written; looks whether there is more to show than before.
+    virtual bool may_grow() const { return false; }
     virtual void refresh() {}
 };
 

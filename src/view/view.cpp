@@ -6,10 +6,12 @@
 #include "view/live.hpp"
 #include "view/pictures.hpp"
 #include "view/replay.hpp"
+#include "view/window.hpp"
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 namespace clack::view {
 
@@ -40,6 +42,8 @@ int view(Options const& options) {
     auto source = source_of(options);
     if (!options.screenshot.empty()) make_screenshot(*source, options);
     if (!options.movie.empty()) make_movie(*source, options);
+    if (options.screenshot.empty() && options.movie.empty())
+        show_window(options, std::move(source));
     return 0;
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+// The panel beside the picture.
+
+#include "view/session.hpp"
+
+namespace clack::view {
+
+constexpr float panel_width = 330; // [pixels]
+
+/// Figures of the drawing itself.
+struct DrawingReport {
+    double seconds = 0; // of the last picture
+    std::size_t balls_drawn = 0;
+};
+
+/// Draws the panel, and the list of keys when it is asked for, with Dear ImGui.
+void draw_panel(Session& session, DrawingReport const& report);
+
+/// Measured speeds, with the laws that they follow.
+void draw_physics(Shown const& shown);
+
+} // namespace clack::view

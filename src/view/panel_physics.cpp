@@ -1,0 +1,107 @@
+#include "view/panel.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace clack::view {
+
+namespace {
+
+constexpr ImU32 bar_colour = IM_COL32(86, 180, 233, 160),
+                exact_colour = IM_COL32(255, 255, 255, 255),
+                maxwell_colour = IM_COL32(230, 159, 0, 255),
+                axis_colour = IM_COL32(150, 150, 150, 255);
+
+void text(std::string const& line) { ImGui::TextUnformatted(line.c_str()); }
+
+void curve(std::vector<float> const& values, float top, ImVec2 origin, ImVec2 size, ImU32 colour,
+           float width) {
+    std::vector<ImVec2> points;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        float const x = static_cast<float>(k) / static_cast<float>(values.size() - 1);
+        points.emplace_back(origin.x + x * size.x, origin.y + size.y * (1 - values[k] / top));
+    }
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour,
+                                            0, width);
+}
+
+void draw_histogram(SpeedHistogram const& speeds) {
+    if (speeds.maxwell.empty()) {
+        text("no ball moves");
+        return;
+    }
+    ImVec2 const size(ImGui::GetContentRegionAvail().x, 110), origin = ImGui::GetCursorScreenPos();
+    auto* const list = ImGui::GetWindowDrawList();
+    auto const highest = *std::max_element(speeds.maxwell.begin(), speeds.maxwell.end());
+    float const top = 1.6f * highest;
+    auto const classes = static_cast<float>(speeds.measured.size());
+    for (std::size_t k = 0; k < speeds.measured.size(); ++k) {
+        float const left = origin.x + size.x * static_cast<float>(k) / classes;
+        float const height = size.y * std::min(speeds.measured[k] / top, 1.f);
+        list->AddRectFilled({left + 1, origin.y + size.y - height},
+                            {left + size.x / classes, origin.y + size.y}, bar_colour);
+    }
+    curve(speeds.maxwell, top, origin, size, maxwell_colour, 3);
+    if (!speeds.exact.empty()) curve(speeds.exact, top, origin, size, exact_colour, 1.3f);
+    list->AddLine({origin.x, origin.y + size.y}, {origin.x + size.x, origin.y + size.y},
+                  axis_colour);
+    ImGui::Dummy(size);
+    text(fmt::format("0{:>43}", fmt::format("speed {:.3g}", speeds.top)));
+    ImGui::TextColored({1, 1, 1, 1}, "exact");
+    ImGui::SameLine();
+    ImGui::TextColored({0.9f, 0.62f, 0, 1}, "Maxwell-Boltzmann");
+    ImGui::SameLine();
+    ImGui::TextColored({0.34f, 0.71f, 0.91f, 1}, "now");
+}
+
+std::string with_error(std::optional<Estimate> const& estimate) {
+    if (!estimate) return "-";
+    if (!estimate->error) return fmt::format("{:.4g} (+- after longer)", estimate->value);
+    return fmt::format("{:.5g} +- {:.2g}", estimate->value, *estimate->error);
+}
+
+void draw_pressure(Physics const& physics, Boundary boundary) {
+    auto const& factor = physics.compressibility_factor;
+    text("Z by virial  " + with_error(factor.virial));
+    if (boundary == Boundary::walls) text("Z by walls   " + with_error(factor.wall));
+    if (physics.virial_theory) {
+        text(fmt::format("Z of theory  {:.5g}", *physics.virial_theory));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("the fluid's equation of state, for so many balls in this cube");
+    } else {
+        text("Z of theory  none: few balls, or no fluid");
+    }
+}
+
+} // namespace
+
+void draw_physics(Shown const& shown) {
+    Physics const& physics = shown.physics;
+    draw_histogram(physics.speeds);
+    if (physics.speed_test) {
+        text(fmt::format("chi-square {:.1f} of {} d.o.f., p = {:.2f}",
+                         physics.speed_test->chi_square, physics.speed_test->degrees_of_freedom,
+                         physics.speed_test->p_value));
+    } else {
+        text("chi-square: too few balls");
+    }
+    ImGui::Separator();
+    draw_pressure(physics, shown.frame.system.boundary);
+    ImGui::Separator();
+    auto const& tallies = shown.frame.sample.tallies;
+    text(fmt::format("kT {:.6g}", physics.temperature));
+    text(fmt::format("energy drift {:.1e} of itself", physics.energy_drift));
+    text(fmt::format("deepest overlap {:.1e} diameters", tallies.deepest_overlap));
+    text(fmt::format("collisions {} + {} with walls", tallies.ball_collisions,
+                     tallies.wall_collisions));
+    bool const runs = shown.playing == Playing::yes;
+    text(runs ? fmt::format("{:.3g} collisions a second", shown.collisions_per_second)
+              : "no collisions: paused");
+    text(runs ? fmt::format("engine: {:.1f} % of the time", 100 * shown.engine_share)
+              : "engine: at rest");
+}
+
+} // namespace clack::view

@@ -1,0 +1,115 @@
+#include "view/physics.hpp"
+
+#include "reference/finite_size.hpp"
+#include "reference/velocity_laws.hpp"
+#include "reference/walled_fluid.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace clack::view {
+
+namespace {
+
+using reference::MaxwellBoltzmann;
+using reference::VelocityLaw;
+
+std::optional<VelocityLaw> law_of(Frame const& frame) {
+    try {
+        return VelocityLaw(frame.system, frame.sample.kinetic_energy);
+    } catch (std::invalid_argument const&) { // too few balls
+        return std::nullopt;
+    }
+}
+
+std::vector<double> speeds_of(Frame const& frame) {
+    std::vector<double> speeds(static_cast<std::size_t>(frame.system.count));
+    for (Eigen::Index ball = 0; ball < frame.system.count; ++ball)
+        speeds[static_cast<std::size_t>(ball)] = frame.snapshot.velocities.col(ball).norm();
+    return speeds;
+}
+
+std::optional<SpeedTest> test_speeds(std::vector<double> const& speeds, VelocityLaw const& law) {
+    constexpr std::size_t balls_in_class_min = 5, classes_min = 4, classes_max = 32;
+    auto const classes = std::min(speeds.size() / balls_in_class_min, classes_max);
+    if (classes < classes_min) return std::nullopt;
+    std::vector<double> edges;
+    for (std::size_t k = 1; k < classes; ++k)
+        edges.push_back(law.speed_quantile(static_cast<double>(k) / static_cast<double>(classes)));
+    std::vector<double> counts(classes, 0);
+    for (double const speed : speeds) {
+        auto const edge = std::upper_bound(edges.begin(), edges.end(), speed);
+        ++counts[static_cast<std::size_t>(edge - edges.begin())];
+    }
+    double const expected = static_cast<double>(speeds.size()) / static_cast<double>(classes);
+    SpeedTest test;
+    for (double const count : counts)
+        test.chi_square += (count - expected) * (count - expected) / expected;
+    test.degrees_of_freedom = static_cast<int>(classes) - 1;
+    test.p_value = gsl_cdf_chisq_Q(test.chi_square, test.degrees_of_freedom);
+    return test;
+}
+
+SpeedHistogram histogram_of(Frame const& frame, std::vector<double> const& speeds,
+                            std::optional<VelocityLaw> const& law, double kt) {
+    constexpr std::size_t points = 81, classes_max = 30;
+    SpeedHistogram histogram;
+    double const mass = frame.system.mass;
+    histogram.top = 4 * std::sqrt(std::max(kt, 1e-300) / mass);
+    auto const classes = std::clamp<std::size_t>(speeds.size() / 8, 8, classes_max);
+    histogram.measured.assign(classes, 0);
+    double const width = histogram.top / static_cast<double>(classes);
+    auto const share = static_cast<float>(1 / (static_cast<double>(speeds.size()) * width));
+    for (double const speed : speeds) {
+        if (speed < histogram.top)
+            histogram.measured[static_cast<std::size_t>(speed / width)] += share;
+    }
+    MaxwellBoltzmann const maxwell(kt, mass);
+    for (std::size_t k = 0; k < points; ++k) {
+        double const speed = histogram.top * static_cast<double>(k) / (points - 1);
+        histogram.maxwell.push_back(static_cast<float>(maxwell.speed_density(speed)));
+        if (law) histogram.exact.push_back(static_cast<float>(law->speed_density(speed)));
+    }
+    return histogram;
+}
+
+void add_theory(Physics& physics, System const& system) {
+    try {
+        double const diameter3 = system.diameter * system.diameter * system.diameter;
+        if (system.boundary == Boundary::periodic) {
+            physics.virial_theory = reference::periodic_compressibility(
+                system.number_density() * diameter3, system.count);
+        } else {
+            double const z = reference::walled_compressibility(system.side / system.diameter,
+                                                               static_cast<double>(system.count));
+            physics.virial_theory = z;
+            physics.wall_theory = z;
+        }
+    } catch (std::invalid_argument const&) { // not a fluid, or too few balls for one
+    }
+}
+
+} // namespace
+
+Physics physics_of(Frame const& frame, std::vector<Sample> const& samples) {
+    Physics physics;
+    double const energy = frame.sample.kinetic_energy;
+    Eigen::Vector3d const momentum = frame.system.mass * frame.snapshot.velocities.rowwise().sum();
+    physics.temperature = temperature(frame.system, energy, momentum);
+    if (!samples.empty() && samples.front().kinetic_energy > 0)
+        physics.energy_drift = energy / samples.front().kinetic_energy - 1;
+    if (!(physics.temperature > 0)) return physics;
+    auto const speeds = speeds_of(frame);
+    auto const law = law_of(frame);
+    physics.speeds = histogram_of(frame, speeds, law, physics.temperature);
+    if (law) physics.speed_test = test_speeds(speeds, *law);
+    physics.compressibility_factor =
+        compressibility_factor(frame.system, physics.temperature, samples);
+    add_theory(physics, frame.system);
+    return physics;
+}
+
+} // namespace clack::view

@@ -1,0 +1,38 @@
+#pragma once
+// What theory says of the balls in view, beside what they do.
+
+#include "observables/pressure.hpp"
+#include "view/frame.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace clack::view {
+
+/// Pearson's test of one instant's speeds against their exact law, in classes of equal probability.
+struct SpeedTest {
+    double chi_square = 0;
+    int degrees_of_freedom = 0;
+    double p_value = 1; // of a larger chi-square, by chance
+};
+
+/// Densities of speed, in classes of equal width from 0 to `top`.
+struct SpeedHistogram {
+    double top = 1;                    // [length / time]
+    std::vector<float> measured;       // of the balls  [time / length]
+    std::vector<float> exact, maxwell; // at points evenly from 0 to top; exact: none for few balls
+};
+
+struct Physics {
+    double temperature = 0; // kT
+    SpeedHistogram speeds;
+    std::optional<SpeedTest> speed_test; // none for few balls
+    CompressibilityFactor compressibility_factor;
+    std::optional<double> virial_theory, wall_theory; // the fluid's; none where it is none
+    double energy_drift = 0;                          // relative, since the first sample
+};
+
+/// From an instant and the samples until then, the first of which is the run's start.
+Physics physics_of(Frame const& frame, std::vector<Sample> const& samples);
+
+} // namespace clack::view

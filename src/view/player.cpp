@@ -1,0 +1,278 @@
+#include "view/player.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+namespace clack::view {
+
+namespace {
+
+double seconds_between(std::chrono::steady_clock::time_point begin,
+                       std::chrono::steady_clock::time_point end) {
+    return std::chrono::duration<double>(end - begin).count();
+}
+
+/// Time of the processor that this thread has had.
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::uint64_t collisions_of(Sample const& sample) {
+    return sample.tallies.ball_collisions + sample.tallies.wall_collisions;
+}
+
+constexpr auto idle_wait = std::chrono::milliseconds(4);
+
+} // namespace
+
+Player::Player(std::unique_ptr<Source> source, double speed) : source_(std::move(source)) {
+    now_.speed = speed;
+    begin_anew();
+    publish();
+    thread_ = std::thread([this] { work(); });
+}
+
+Player::~Player() {
+    {
+        std::lock_guard const lock(mutex_);
+        closing_ = true;
+    }
+    asked_.notify_all();
+    thread_.join();
+}
+
+/// Another source, or its first time reached.
+void Player::begin_anew() {
+    start_places_ = std::make_shared<Eigen::Matrix3Xd const>(source_->start_places());
+    samples_.clear();
+    prepared_ = source_->preparation_share() >= 1;
+    target_ = source_->time();
+    last_move_ = Clock::now();
+    meter_ = {last_move_, target_, 0, collisions_of(source_->sample())};
+}
+
+void Player::ask(Task task) {
+    ++tasks_asked_;
+    {
+        std::lock_guard const lock(mutex_);
+        tasks_.push_back(std::move(task));
+    }
+    asked_.notify_all();
+}
+
+void Player::play() {
+    ask([this] {
+        now_.playing = Playing::yes;
+        if (source_->time() >= source_->last_time() && !source_->may_grow())
+            source_->seek(source_->first_time());
+        target_ = source_->time();
+        last_move_ = Clock::now();
+        meter_ = {last_move_, target_, 0, collisions_of(source_->sample())};
+    });
+}
+
+void Player::pause() {
+    ask([this] { now_.playing = Playing::no; });
+}
+
+void Player::set_speed(double speed) {
+    ask([this, speed] { now_.speed = std::clamp(speed, 1e-3, 1e3); });
+}
+
+void Player::step() {
+    ask([this] {
+        now_.playing = Playing::no;
+        if (!source_->step()) now_.message = "no further collision";
+    });
+}
+
+void Player::step_back() {
+    ask([this] {
+        now_.playing = Playing::no;
+        if (!source_->step_back()) now_.message = "no earlier collision";
+    });
+}
+
+void Player::seek(double time) {
+    ask([this, time] {
+        source_->seek(std::clamp(time, source_->first_time(), source_->last_time()));
+        target_ = source_->time();
+    });
+}
+
+void Player::trace(std::int64_t ball) {
+    ask([this, ball] { source_->trace(ball); });
+}
+
+void Player::restart(Maker maker) {
+    ask([this, maker = std::move(maker)] {
+        auto fresh = maker();
+        source_ = std::move(fresh);
+        begin_anew();
+    });
+}
+
+std::shared_ptr<Shown const> Player::latest() {
+    std::lock_guard const lock(mutex_);
+    wanted_ = true;
+    asked_.notify_all();
+    return shown_;
+}
+
+/// What a source throws becomes the message, and the playing stops.
+void Player::guarded(Task const& task) {
+    try {
+        now_.message.clear();
+        task();
+    } catch (std::exception const& error) {
+        now_.message = error.what();
+        now_.playing = Playing::no;
+    }
+    changed_ = true;
+}
+
+bool Player::take_task() {
+    Task task;
+    {
+        std::lock_guard const lock(mutex_);
+        if (tasks_.empty()) return false;
+        task = std::move(tasks_.front());
+        tasks_.pop_front();
+    }
+    guarded(task);
+    ++now_.tasks_done;
+    next_.reset(); // may be of another time
+    next_of_traced_.reset();
+    target_ = source_->time();
+    return true;
+}
+
+void Player::work() {
+    for (;;) {
+        while (take_task()) {
+        }
+        refresh();
+        if (now_.playing == Playing::yes || !prepared_) {
+            auto const before = now_.message;
+            guarded([&] { move(); });
+            if (now_.message.empty()) now_.message = before;
+        }
+        std::unique_lock lock(mutex_);
+        if (closing_) return;
+        if (wanted_ && changed_) {
+            lock.unlock();
+            publish();
+            continue;
+        }
+        if (tasks_.empty() && (target_ <= source_->time() || now_.playing == Playing::no))
+            asked_.wait_for(lock, idle_wait);
+    }
+}
+
+/// On with the time that has passed. What the engine cannot catch up with is let go: time then
+/// passes more slowly, and is shown so.
+void Player::move() {
+    auto const begin = Clock::now();
+    if (now_.playing == Playing::yes) {
+        constexpr double debt_max = 0.05; // [s]
+        double const passed = seconds_between(last_move_, begin);
+        target_ = std::min({target_ + passed * now_.speed, source_->last_time(),
+                            source_->time() + debt_max * now_.speed});
+    }
+    last_move_ = begin;
+    constexpr double budget = 0.015; // [s] until the next look at what is asked
+    double const cpu_begin = cpu_seconds();
+    while (source_->advance(target_) == Progress::under_way &&
+           seconds_between(begin, Clock::now()) < budget) {
+    }
+    meter_.busy += cpu_seconds() - cpu_begin;
+    if (!prepared_ && source_->preparation_share() >= 1) begin_anew();
+    if (source_->time() >= source_->last_time() && !source_->may_grow()) now_.playing = Playing::no;
+}
+
+void Player::refresh() {
+    constexpr double pause = 0.5; // [s]
+    if (!source_->may_grow() || seconds_between(last_refresh_, Clock::now()) < pause) return;
+    last_refresh_ = Clock::now();
+    source_->refresh();
+    changed_ = true;
+}
+
+/// Few enough to be blocked at once; when there are more, every second one goes.
+void Player::keep_sample() {
+    constexpr std::size_t samples_max = 1024;
+    Sample const sample = source_->sample();
+    std::erase_if(samples_, [&](Sample const& kept) { return kept.time > sample.time; });
+    if (!samples_.empty() && samples_.back().time >= sample.time) return;
+    if (samples_.size() >= samples_max) {
+        std::vector<Sample> thinned;
+        for (std::size_t k = 0; k < samples_.size(); k += 2) thinned.push_back(samples_[k]);
+        samples_.swap(thinned);
+    }
+    samples_.push_back(sample);
+}
+
+void Player::measure_rates(Sample const& sample) {
+    constexpr double span = 0.5;
+    double const passed = seconds_between(meter_.begin, Clock::now());
+    if (now_.playing == Playing::no || passed < span) return;
+    auto const collisions = collisions_of(sample);
+    now_.true_speed = std::max(source_->time() - meter_.time, 0.0) / passed;
+    now_.engine_share = meter_.busy / passed;
+    now_.collisions_per_second = collisions > meter_.collisions
+                                     ? static_cast<double>(collisions - meter_.collisions) / passed
+                                     : 0;
+    meter_ = {Clock::now(), source_->time(), 0, collisions};
+}
+
+bool Player::should_look_ahead() const {
+    constexpr std::int64_t while_playing = 3000, at_all = 200'000; // a blink of an eye each
+    auto const count = source_->system().count;
+    return count <= (now_.playing == Playing::yes ? while_playing : at_all);
+}
+
+void Player::look_ahead(Frame& frame) {
+    auto const is_past = [&](std::optional<NextCollision> const& next) {
+        return !next || next->time <= source_->time();
+    };
+    if (!should_look_ahead()) {
+        next_.reset();
+        next_of_traced_.reset();
+        return;
+    }
+    if (is_past(next_)) next_ = source_->next_collision(std::nullopt);
+    if (frame.traced >= 0 && is_past(next_of_traced_))
+        next_of_traced_ = source_->next_collision(frame.traced);
+    frame.next = next_;
+    if (frame.traced >= 0) frame.next_of_traced = next_of_traced_;
+}
+
+void Player::publish() {
+    changed_ = false;
+    Frame frame = frame_of(*source_, start_places_);
+    look_ahead(frame);
+    keep_sample();
+    measure_rates(frame.sample);
+    now_.equilibration = source_->preparation_share();
+    now_.first_time = source_->first_time();
+    now_.last_time = source_->last_time();
+    now_.description = source_->description();
+    constexpr double physics_pause = 0.2; // [s]
+    if (now_.playing == Playing::no ||
+        seconds_between(last_physics_, Clock::now()) > physics_pause) {
+        now_.physics = physics_of(frame, samples_);
+        last_physics_ = Clock::now();
+    }
+    ++now_.number;
+    auto fresh = std::make_shared<Shown>(now_);
+    fresh->frame = std::move(frame);
+    std::lock_guard const lock(mutex_);
+    shown_ = std::move(fresh);
+    wanted_ = false;
+}
+
+} // namespace clack::view

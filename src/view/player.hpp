@@ -1,0 +1,105 @@
+#pragma once
+// Plays a source on a thread of its own, so that the window always answers: it asks, and looks at
+// the latest frame whenever it likes.
+
+#include "view/frame.hpp"
+#include "view/physics.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace clack::view {
+
+enum class Playing { no, yes };
+
+/// An instant, and how the playing goes.
+struct Shown {
+    std::uint64_t number = 0;     // of the frame, rising
+    std::uint64_t tasks_done = 0; // of those asked for, in their order
+    Frame frame;
+    Physics physics;
+    Playing playing = Playing::no;
+    double speed = 1;      // asked for: simulated time in a second
+    double true_speed = 0; // as it was in the last half second
+    double collisions_per_second = 0;
+    double engine_share = 0;  // of the time, spent in the engine
+    double equilibration = 1; // share that is done; time stands still before
+    double first_time = 0, last_time = 0;
+    std::string description, message; // message: what went wrong, empty if nothing
+};
+
+class Player {
+public:
+    using Maker = std::function<std::unique_ptr<Source>()>;
+
+    explicit Player(std::unique_ptr<Source> source, double speed);
+    Player(Player const&) = delete;
+    Player& operator=(Player const&) = delete;
+    ~Player();
+
+    void play();
+    void pause();
+    void set_speed(double speed);
+    void step();
+    void step_back();
+    void seek(double time);
+    void trace(std::int64_t ball); // -1: none
+    /// Another source in place of this one; if it cannot be made, this one stays, with a message.
+    void restart(Maker maker);
+
+    /// The latest frame; a newer one is then made.
+    std::shared_ptr<Shown const> latest();
+    /// Whether it shows all that has been asked for.
+    bool has_done_all(Shown const& shown) const { return shown.tasks_done == tasks_asked_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Task = std::function<void()>;
+
+    /// Measures rates over the last half second or so.
+    struct Meter {
+        Clock::time_point begin = Clock::now();
+        double time = 0, busy = 0;
+        std::uint64_t collisions = 0;
+    };
+
+    void ask(Task task);
+    void work();
+    bool take_task();
+    void guarded(Task const& task);
+    void move();
+    void refresh();
+    void look_ahead(Frame& frame);
+    void begin_anew();
+    void keep_sample();
+    void measure_rates(Sample const& sample);
+    void publish();
+    bool should_look_ahead() const;
+
+    // Of the thread alone.
+    std::unique_ptr<Source> source_;
+    std::shared_ptr<Eigen::Matrix3Xd const> start_places_;
+    Shown now_; // without its frame
+    std::optional<NextCollision> next_, next_of_traced_;
+    std::vector<Sample> samples_;
+    Meter meter_;
+    Clock::time_point last_move_, last_physics_, last_refresh_;
+    double target_ = 0;
+    bool changed_ = true, prepared_ = false;
+
+    std::uint64_t tasks_asked_ = 0; // of those who ask
+
+    // Shared.
+    std::mutex mutex_;
+    std::condition_variable asked_;
+    std::deque<Task> tasks_;
+    std::shared_ptr<Shown const> shown_;
+    bool wanted_ = true, closing_ = false;
+    std::thread thread_;
+};
+
+} // namespace clack::view
