@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace clack::view {
 
@@ -117,6 +118,13 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
         (radius < dot_radius ? visible.dots : visible.near).push_back(ball);
     }
     return visible;
+}
+
+Prepared BallOrder::prepare(Picture picture, Camera const& camera, PixelSize size) {
+    Prepared prepared{std::move(picture), camera, {}};
+    prepared.visible = visible(prepared.picture, camera, size);
+    prepared.picture.balls = {};
+    return prepared;
 }
 
 } // namespace clack::view

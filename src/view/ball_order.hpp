@@ -18,10 +18,18 @@ struct VisibleBalls {
     std::vector<DrawnBall> near, dots;
 };
 
+/// A picture on its way to the graphics card.
+struct Prepared {
+    Picture picture; // its balls are in `visible`
+    Camera camera;
+    VisibleBalls visible;
+};
+
 /// Leaves out what is outside the picture, clipped, or hidden behind nearer balls.
 class BallOrder {
 public:
     VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size);
+    Prepared prepare(Picture picture, Camera const& camera, PixelSize size);
 
     /// Radius below which a ball is a dot  [pixels]
     static constexpr float dot_radius = 3;

@@ -12,14 +12,14 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 } // namespace
 
-void Canvases::begin(Picture const& picture, Camera const& camera, PixelSize size, int samples) {
+void Canvases::begin(Prepared prepared, PixelSize size, int samples) {
     auto const start = std::chrono::steady_clock::now();
     bool const fits = next_ && next_->samples == samples &&
                       next_->size.width == size.width * samples &&
                       next_->size.height == size.height * samples;
     if (!fits) next_ = std::make_unique<Canvas>(size, samples);
     glBindFramebuffer(GL_FRAMEBUFFER, next_->frame.name());
-    drawing_.begin(picture, camera, next_->size, static_cast<float>(samples));
+    drawing_.begin(std::move(prepared), next_->size, static_cast<float>(samples));
     is_drawing_ = true;
     seconds_ = seconds_since(start);
 }

@@ -13,7 +13,7 @@ namespace clack::view {
 /// window may be deaf, so it is drawn in pieces.
 class Canvases {
 public:
-    void begin(Picture const& picture, Camera const& camera, PixelSize size, int samples);
+    void begin(Prepared prepared, PixelSize size, int samples);
     bool is_drawing() const { return is_drawing_; }
     /// Draws for about so long; true when the picture has become whole and is the one to show.
     bool go_on(std::chrono::duration<double> budget);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace clack::view {
 
@@ -83,21 +84,20 @@ void Drawing::set_uniforms(gl::Program const& program) {
                 static_cast<float>(size_.height));
 }
 
-void Drawing::begin(Picture const& picture, Camera const& camera, PixelSize size,
-                    float pixels_per_pixel) {
-    picture_ = picture;
-    camera_ = camera;
+void Drawing::begin(Prepared prepared, PixelSize size, float pixels_per_pixel) {
+    picture_ = std::move(prepared.picture);
+    camera_ = prepared.camera;
+    visible_ = std::move(prepared.visible);
     size_ = size;
     pixels_per_pixel_ = pixels_per_pixel;
-    float const to_centre = (camera.eye() - Eigen::Vector3f::Constant(0.5f)).norm();
+    float const to_centre = (camera_.eye() - Eigen::Vector3f::Constant(0.5f)).norm();
     constexpr float half_diagonal = 0.9f;
-    nearest_ = std::max(to_centre - half_diagonal - picture.radius, 0.f);
-    farthest_ = to_centre + half_diagonal + picture.radius;
-    visible_ = order_.visible(picture_, camera_, size_);
+    nearest_ = std::max(to_centre - half_diagonal - picture_.radius, 0.f);
+    farthest_ = to_centre + half_diagonal + picture_.radius;
     drawn_ = 0;
     done_ = false;
     glViewport(0, 0, size.width, size.height);
-    auto const behind = background_colour(picture.background);
+    auto const behind = background_colour(picture_.background);
     glClearColor(behind.x(), behind.y(), behind.z(), 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }

@@ -16,8 +16,7 @@ public:
 
     /// Begins a picture in the framebuffer that is bound now; pixels_per_pixel widens the lines of
     /// a picture that will be scaled down.
-    void begin(Picture const& picture, Camera const& camera, PixelSize size,
-               float pixels_per_pixel);
+    void begin(Prepared prepared, PixelSize size, float pixels_per_pixel);
     /// Goes on drawing into the same framebuffer for about so long; true when all is drawn.
     bool go_on(std::chrono::duration<double> budget);
     /// Draws all that is left.
@@ -45,7 +44,6 @@ private:
     gl::Program ball_, dot_, line_;
     gl::Vertices corner_vertices_, dot_vertices_, line_vertices_;
     gl::Buffer ball_buffer_, line_buffer_;
-    BallOrder order_;
 
     Picture picture_;
     Camera camera_;

@@ -50,6 +50,7 @@ struct Offscreen::Target {
     Target(PixelSize size, int samples) : canvas(size, samples) {}
     Canvas canvas;
     Drawing drawing;
+    BallOrder order;
 };
 
 Offscreen::Offscreen(PixelSize size, int samples)
@@ -61,7 +62,8 @@ Offscreen::~Offscreen() = default;
 Pixels Offscreen::draw(Picture const& picture, Camera const& camera) {
     auto const& canvas = target_->canvas;
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.frame.name());
-    target_->drawing.begin(picture, camera, canvas.size, static_cast<float>(samples_));
+    target_->drawing.begin(target_->order.prepare(picture, camera, canvas.size), canvas.size,
+                           static_cast<float>(samples_));
     target_->drawing.finish();
     return read_pixels(size_, samples_);
 }

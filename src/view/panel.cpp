@@ -71,8 +71,7 @@ void draw_legend(Session const& session) {
                                                   IM_COL32(colour[0], colour[1], colour[2], 255));
     }
     ImGui::Dummy({width, 8});
-    text(fmt::format(
-        "0{:>43}", fmt::format("{:.3g}", scale_top(session.shown->frame, session.look.colouring))));
+    scale_ends(fmt::format("{:.3g}", scale_top(session.shown->frame, session.look.colouring)));
 }
 
 void checkbox(char const* label, Visible& what) {

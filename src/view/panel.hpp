@@ -16,6 +16,9 @@ struct DrawingReport {
 /// Draws the panel, and the list of keys when it is asked for, with Dear ImGui.
 void draw_panel(Session& session, DrawingReport const& report);
 
+/// The ends of a scale, 0 at the left.
+void scale_ends(std::string const& top);
+
 /// Measured speeds, with the laws that they follow.
 void draw_physics(Shown const& shown);
 

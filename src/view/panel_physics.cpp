@@ -49,13 +49,24 @@ void draw_histogram(SpeedHistogram const& speeds) {
     list->AddLine({origin.x, origin.y + size.y}, {origin.x + size.x, origin.y + size.y},
                   axis_colour);
     ImGui::Dummy(size);
-    text(fmt::format("0{:>43}", fmt::format("speed {:.3g}", speeds.top)));
+    scale_ends(fmt::format("speed {:.3g}", speeds.top));
     ImGui::TextColored({1, 1, 1, 1}, "exact");
     ImGui::SameLine();
     ImGui::TextColored({0.9f, 0.62f, 0, 1}, "Maxwell-Boltzmann");
     ImGui::SameLine();
     ImGui::TextColored({0.34f, 0.71f, 0.91f, 1}, "now");
 }
+
+} // namespace
+
+void scale_ends(std::string const& top) {
+    ImGui::TextUnformatted("0");
+    ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
+                    ImGui::CalcTextSize(top.c_str()).x);
+    ImGui::TextUnformatted(top.c_str());
+}
+
+namespace {
 
 std::string with_error(std::optional<Estimate> const& estimate) {
     if (!estimate) return "-";
@@ -67,8 +78,8 @@ void draw_pressure(Physics const& physics, Boundary boundary) {
     auto const& factor = physics.compressibility_factor;
     text("Z by virial  " + with_error(factor.virial));
     if (boundary == Boundary::walls) text("Z by walls   " + with_error(factor.wall));
-    if (physics.virial_theory) {
-        text(fmt::format("Z of theory  {:.5g}", *physics.virial_theory));
+    if (physics.theory) {
+        text("Z of theory  " + with_error(physics.theory));
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("the fluid's equation of state, for so many balls in this cube");
     } else {

@@ -78,15 +78,17 @@ SpeedHistogram histogram_of(Frame const& frame, std::vector<double> const& speed
 
 void add_theory(Physics& physics, System const& system) {
     try {
-        double const diameter3 = system.diameter * system.diameter * system.diameter;
+        double const side = system.side / system.diameter;
+        auto const count = static_cast<double>(system.count);
         if (system.boundary == Boundary::periodic) {
-            physics.virial_theory = reference::periodic_compressibility(
-                system.number_density() * diameter3, system.count);
+            double const z =
+                reference::periodic_compressibility(count / (side * side * side), system.count);
+            constexpr double left_out = 1; // terms of order 1 / N^2, and images
+            physics.theory = Estimate{z, z * left_out / (count * count) + 2e-5 * z};
         } else {
-            double const z = reference::walled_compressibility(system.side / system.diameter,
-                                                               static_cast<double>(system.count));
-            physics.virial_theory = z;
-            physics.wall_theory = z;
+            double const z = reference::walled_compressibility(side, count);
+            constexpr double left_out = 2.5; // edges: at most so much of 1 / side^2
+            physics.theory = Estimate{z, z * left_out / (side * side)};
         }
     } catch (std::invalid_argument const&) { // not a fluid, or too few balls for one
     }

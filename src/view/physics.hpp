@@ -28,8 +28,8 @@ struct Physics {
     SpeedHistogram speeds;
     std::optional<SpeedTest> speed_test; // none for few balls
     CompressibilityFactor compressibility_factor;
-    std::optional<double> virial_theory, wall_theory; // the fluid's; none where it is none
-    double energy_drift = 0;                          // relative, since the first sample
+    std::optional<Estimate> theory; // of both; none where the balls are few or no fluid
+    double energy_drift = 0;        // relative, since the first sample
 };
 
 /// From an instant and the samples until then, the first of which is the run's start.

@@ -7,57 +7,79 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace clack::view {
 
 Replay::Replay(std::string const& path) : path_(path) {
     open();
-    if (frame_times_.empty()) {
-        throw InputError(path + ": holds no frame yet, its run is still equilibrating; look again "
-                                "later, or view its scene");
-    }
     start_places_ = file_->snapshot(0).positions;
     history_ = History(system().count);
     show_frame(0);
 }
 
+/// A file may hold a million frames: what is not shown is not read.
 void Replay::open() {
     file_ = std::make_unique<TrajectoryReader>(path_);
-    for (std::size_t frame = frame_times_.size(); frame < file_->frame_count(); ++frame) {
-        auto const tallies = file_->frame_sample(frame).tallies;
-        frame_times_.push_back(file_->frame_time(frame));
-        frame_events_.push_back(
-            static_cast<std::size_t>(tallies.ball_collisions + tallies.wall_collisions));
+    if (file_->frame_count() == 0) {
+        throw InputError(path_ + ": holds no frame yet, its run is still equilibrating; look again "
+                                 "later, or view its scene");
     }
+    system_ = file_->header().system;
+    growing_ = file_->left_open();
+    has_events_ = file_->header().events == Events::stored;
+    frame_count_ = file_->frame_count();
+    first_time_ = file_->frame_time(0);
+    last_time_ = file_->frame_time(frame_count_ - 1);
 }
 
+/// HDF5 shows what a file held when it was first opened until it is closed.
 void Replay::refresh() {
     if (!may_grow()) return;
+    file_.reset();
     try {
         open();
     } catch (FileError const&) { // its writer is in the middle of something: next time
+        file_.reset();
     }
 }
 
+/// The last frame for which `later` is false, by bisection; 0 when it is true for all.
+template <class Later> std::size_t Replay::last_frame_before(Later const& later) const {
+    std::size_t low = 0, high = frame_count_;
+    while (high - low > 1) {
+        auto const middle = low + (high - low) / 2;
+        (later(middle) ? high : low) = middle;
+    }
+    return low;
+}
+
 std::size_t Replay::frame_at(double time) const {
-    auto const later = std::upper_bound(frame_times_.begin(), frame_times_.end(), time);
-    return later == frame_times_.begin()
-               ? 0
-               : static_cast<std::size_t>(later - frame_times_.begin()) - 1;
+    if (!file_) return frame_;
+    auto const later = [&](std::size_t frame) { return file_->frame_time(frame) > time; };
+    bool const still_here = !later(frame_) && (frame_ + 1 == frame_count_ || later(frame_ + 1));
+    return still_here ? frame_ : last_frame_before(later);
+}
+
+std::size_t Replay::events_until(std::size_t frame) const {
+    auto const tallies = file_->frame_sample(frame).tallies;
+    return static_cast<std::size_t>(tallies.ball_collisions + tallies.wall_collisions);
 }
 
 void Replay::show_frame(std::size_t frame) {
+    if (!file_) return;
     frame_ = frame;
-    time_ = frame_times_[frame];
+    sample_ = file_->frame_sample(frame);
+    time_ = file_->frame_time(frame);
     flights_ = file_->snapshot(frame);
     since_.assign(static_cast<std::size_t>(system().count), time_);
-    next_event_ = frame_events_[frame];
+    next_event_ = events_until(frame);
 }
 
 /// An event of the file, with the times of the others near it read at once.
 Collision<double> const* Replay::event(std::size_t index) {
     constexpr std::size_t at_once = 8192;
-    if (index >= file_->event_count()) return nullptr;
+    if (!file_ || index >= file_->event_count()) return nullptr;
     if (index < window_begin_ || index >= window_begin_ + window_.size()) {
         window_begin_ = index;
         window_ = file_->events(index, std::min(at_once, file_->event_count() - index));
@@ -103,12 +125,18 @@ Progress Replay::advance(double until) {
         auto const* const next = event(next_event_);
         if (!next || next->time > until) {
             time_ = std::max(time_, until);
-            frame_ = frame_at(time_);
+            pass_frames();
             return Progress::arrived;
         }
         take_event(*next);
     }
     return Progress::under_way;
+}
+
+void Replay::pass_frames() {
+    if (frame_at(time_) == frame_ || !file_) return;
+    frame_ = frame_at(time_);
+    sample_ = file_->frame_sample(frame_);
 }
 
 /// What balls have been through is told from the first event on.
@@ -117,7 +145,9 @@ void Replay::rewind_to(std::size_t frame) {
     history_ = History(system().count);
     show_frame(0);
     if (traced >= 0) trace(traced);
-    while (next_event_ < frame_events_[frame]) take_event(*event(next_event_));
+    if (!file_) return;
+    auto const wanted = events_until(frame);
+    while (next_event_ < wanted) take_event(*event(next_event_));
     show_frame(frame); // the stored places, free of what rounding adds up
 }
 
@@ -130,14 +160,14 @@ void Replay::seek(double to) {
 
 bool Replay::step() {
     if (!has_events()) {
-        if (frame_ + 1 >= frame_times_.size()) return false;
+        if (frame_ + 1 >= frame_count_) return false;
         show_frame(frame_ + 1);
         return true;
     }
     auto const* const next = event(next_event_);
     if (!next) return false;
     take_event(*next);
-    frame_ = frame_at(time_);
+    pass_frames();
     return true;
 }
 
@@ -147,17 +177,15 @@ bool Replay::step_back() {
         show_frame(frame_ - 1);
         return true;
     }
-    if (next_event_ == 0) return false;
+    if (next_event_ == 0 || !file_) return false;
     auto const wanted = next_event_ - (history_.last_time() >= time_ ? 1 : 0);
-    auto const later = std::upper_bound(frame_events_.begin(), frame_events_.end(), wanted);
-    rewind_to(static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - frame_events_.begin(), 1)) -
-              1);
+    rewind_to(last_frame_before([&](std::size_t frame) { return events_until(frame) > wanted; }));
     while (next_event_ < wanted) take_event(*event(next_event_));
     if (wanted > 0)
         time_ = event(wanted - 1)->time;
     else
         time_ = first_time();
-    frame_ = frame_at(time_);
+    pass_frames();
     return true;
 }
 
@@ -196,7 +224,7 @@ std::optional<NextCollision> Replay::next_collision(std::optional<std::int64_t> 
 
 std::string Replay::description() const {
     return fmt::format("{}, frame {} of {}{}{}", std::filesystem::path(path_).filename().string(),
-                       frame_ + 1, frame_times_.size(), has_events() ? ", every collision" : "",
+                       frame_ + 1, frame_count_, has_events() ? ", every collision" : "",
                        may_grow() ? ", being written" : "");
 }
 

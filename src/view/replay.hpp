@@ -15,10 +15,10 @@ public:
     /// Throws FileError, and InputError when the file holds no frame.
     explicit Replay(std::string const& path);
 
-    System const& system() const override { return file_->header().system; }
+    System const& system() const override { return system_; }
     double time() const override { return time_; }
-    double first_time() const override { return frame_times_.front(); }
-    double last_time() const override { return frame_times_.back(); }
+    double first_time() const override { return first_time_; }
+    double last_time() const override { return last_time_; }
 
     Progress advance(double until) override;
     /// Without collisions in the file: to the last frame that is not later.
@@ -28,34 +28,40 @@ public:
     bool step_back() override;
 
     Snapshot snapshot() const override;
-    Sample sample() const override { return file_->frame_sample(frame_); }
+    Sample sample() const override { return sample_; }
     History const* history() const override { return has_events() ? &history_ : nullptr; }
     void trace(std::int64_t ball) override;
     std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball) override;
     Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
     std::string description() const override;
 
-    bool may_grow() const override { return file_->left_open(); }
+    bool may_grow() const override { return growing_; }
     /// Opens the file anew.
     void refresh() override;
 
-    bool has_events() const { return file_->header().events == Events::stored; }
+    bool has_events() const { return has_events_; }
 
 private:
     void open();
     void show_frame(std::size_t frame);
     std::size_t frame_at(double time) const;
+    std::size_t events_until(std::size_t frame) const;
+    template <class Later> std::size_t last_frame_before(Later const& later) const;
     void fly_to(std::int64_t ball, double time);
     void take_event(Collision<double> event);
     Collision<double> const* event(std::size_t index);
+    void pass_frames();
     void rewind_to(std::size_t frame);
     Eigen::Vector3d wrapped(Eigen::Vector3d place) const;
 
     std::string path_;
-    std::unique_ptr<TrajectoryReader> file_;
-    std::vector<double> frame_times_;
-    std::vector<std::size_t> frame_events_; // events up to each frame
-    std::size_t frame_ = 0;                 // the last one not later than now
+    std::unique_ptr<TrajectoryReader> file_; // none while it cannot be opened anew
+    System system_;
+    bool growing_ = false, has_events_ = false;
+    std::size_t frame_count_ = 0;
+    double first_time_ = 0, last_time_ = 0;
+    std::size_t frame_ = 0; // the last one not later than now
+    Sample sample_;         // of that frame
     double time_ = 0;
 
     Snapshot flights_;                      // places and velocities as the last event left them

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -47,7 +48,7 @@ public:
             draw_balls();
             compose();
             Seconds const passed = Clock::now() - begin;
-            deafness_ = std::max(deafness_, passed.count());
+            if (whole_) deafness_ = std::max(deafness_, passed.count());
             if (!canvases_.is_drawing()) window_.wait_for_events(frame_time - passed.count());
         }
     }
@@ -62,7 +63,8 @@ public:
     void drag(float right, float down) override { turn(right, down); }
     void scroll(float notches) override { session_.camera.zoom_by(std::pow(1.1f, notches)); }
     bool is_up_to_date() const override {
-        return whole_ && whole_->frame + 1 >= session_.shown->number;
+        bool const playing = session_.shown->playing == Playing::yes;
+        return whole_ && (playing || whole_->frame == session_.shown->number);
     }
     void save(std::string const& path) override { save_to_ = path; }
     double longest_deafness() override { return std::exchange(deafness_, 0); }
@@ -114,18 +116,18 @@ private:
 
     /// A new picture where there is news; a finer one where there is none.
     void draw_balls() {
-        constexpr Seconds budget(0.02);
-        if (!canvases_.is_drawing()) {
+        constexpr Seconds budget(0.012);
+        if (prepared_.valid()) {
+            if (prepared_.wait_for(Seconds(0)) == std::future_status::timeout) return;
+            canvases_.begin(prepared_.get(), under_way_.size, samples_under_way_);
+        } else if (!canvases_.is_drawing()) {
             auto const now = wanted();
             bool const news = !whole_ || !(*whole_ == now);
             if (!news && canvases_.shown_samples() >= samples_at_rest) return;
             under_way_ = now;
-            auto look = session_.look;
-            constexpr double flash_seconds = 0.12;
-            look.flash_wait = flash_seconds * session_.shown->speed;
-            session_.camera.fit(now.size);
-            canvases_.begin(picture_of(session_.shown->frame, look), session_.camera, now.size,
-                            news ? samples_in_motion_ : samples_at_rest);
+            samples_under_way_ = news ? samples_in_motion_ : samples_at_rest;
+            prepare();
+            return;
         }
         if (!canvases_.go_on(budget)) return;
         bool const coarse = canvases_.shown_samples() == 1;
@@ -133,6 +135,37 @@ private:
         if (coarse && canvases_.seconds_of_last() < quick) samples_in_motion_ = samples_at_rest;
         if (!coarse && canvases_.seconds_of_last() > slow) samples_in_motion_ = 1;
         whole_ = under_way_;
+    }
+
+    /// Colours and order of many balls take a moment, in which the window is to answer.
+    void prepare() {
+        auto look = session_.look;
+        look.flash_wait = flash_wait(*session_.shown);
+        session_.camera.fit(under_way_.size);
+        PixelSize const samples{under_way_.size.width * samples_under_way_,
+                                under_way_.size.height * samples_under_way_};
+        constexpr std::int64_t few = 3000;
+        auto const policy =
+            session_.shown->frame.system.count <= few ? std::launch::deferred : std::launch::async;
+        prepared_ = std::async(
+            policy, [this, look, samples, shown = session_.shown, camera = session_.camera] {
+                return order_.prepare(picture_of(shown->frame, look), camera, samples);
+            });
+        if (policy == std::launch::deferred) prepared_.wait();
+    }
+
+    /// A flash fades in a blink, and sooner where balls collide so often that all would glow.
+    static double flash_wait(Shown const& shown) {
+        constexpr double blink = 0.12, share_max = 0.2; // [s], of the balls
+        double wait = blink * shown.speed;
+        auto const& sample = shown.frame.sample;
+        auto const collisions = static_cast<double>(2 * sample.tallies.ball_collisions +
+                                                    sample.tallies.wall_collisions);
+        if (collisions > 0) {
+            auto const balls = static_cast<double>(shown.frame.system.count);
+            wait = std::min(wait, share_max * balls * sample.time / collisions);
+        }
+        return std::max(wait, 1e-12);
     }
 
     void compose() {
@@ -152,6 +185,9 @@ private:
     GlfwWindow window_; // first: it makes OpenGL current
     Session session_;
     Canvases canvases_;
+    BallOrder order_;
+    std::future<Prepared> prepared_; // after what it works with
+    int samples_under_way_ = 1;
     std::optional<Visit> visit_;
     std::optional<Drawn> whole_;
     Drawn under_way_;

@@ -96,6 +96,10 @@ BOOST_AUTO_TEST_CASE(quantile_inverts_probability) {
     VelocityLaw const law(system_of(Boundary::walls, 8), energy);
     for (double const p : {0.001, 0.25, 0.5, 0.99})
         BOOST_TEST(std::abs(law.speed_probability(law.speed_quantile(p)) - p) < 1e-10);
+    VelocityLaw const of_many(system_of(Boundary::walls, 1000), energy);
+    for (int k = 1; k < 32; ++k)
+        BOOST_TEST(std::abs(of_many.speed_probability(of_many.speed_quantile(k / 32.0)) -
+                            k / 32.0) < 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(many_balls_obey_maxwell_and_boltzmann) {
