@@ -178,8 +178,10 @@ void add_view(CLI::App& app, std::function<int()>& chosen, view::Options& option
     command.add_option("--movie", options.movie, "movie to draw, without a display")
         ->type_name("OUT.mp4");
     command
-        .add_option("--time", options.times,
-                    "of the picture, or the movie's start; several times: one below the other")
+        .add_option(
+            "--time", options.times,
+            "of the picture, or the movie's start; several times: pictures side by side, or one "
+            "below the other if they are three times as wide as high [0; of a file: its last]")
         ->type_name("T[,T...]")
         ->delimiter(',');
     command

@@ -61,7 +61,7 @@ void make_screenshot(Source& source, Options const& options) {
         auto const picture = picture_of(frame_of(source, start), look_of(options));
         pictures.push_back(offscreen.draw(picture, camera));
     }
-    write_png(options.screenshot, stacked(pictures));
+    write_png(options.screenshot, joined(pictures));
 }
 
 void make_movie(Source& source, Options const& options) {

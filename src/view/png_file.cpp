@@ -21,11 +21,24 @@ void write_png(std::string const& path, Pixels const& pixels) {
     temporary.move_into_place();
 }
 
-Pixels stacked(std::vector<Pixels> const& pictures) {
-    Pixels all{{pictures.front().size.width, 0}, {}};
-    for (Pixels const& picture : pictures) {
-        all.size.height += picture.size.height;
-        all.rgb.insert(all.rgb.end(), picture.rgb.begin(), picture.rgb.end());
+Pixels joined(std::vector<Pixels> const& pictures) {
+    constexpr int strip = 3; // times as wide as high
+    auto const& one = pictures.front().size;
+    auto const count = static_cast<int>(pictures.size());
+    bool const below = one.width >= strip * one.height;
+    Pixels all{{below ? one.width : count * one.width, below ? count * one.height : one.height},
+               {}};
+    auto const stride = 3 * static_cast<std::ptrdiff_t>(one.width);
+    if (below) {
+        for (Pixels const& picture : pictures)
+            all.rgb.insert(all.rgb.end(), picture.rgb.begin(), picture.rgb.end());
+        return all;
+    }
+    for (int row = 0; row < one.height; ++row) {
+        for (Pixels const& picture : pictures) {
+            auto const begin = picture.rgb.begin() + row * stride;
+            all.rgb.insert(all.rgb.end(), begin, begin + stride);
+        }
     }
     return all;
 }

@@ -11,7 +11,7 @@ namespace clack::view {
 /// and WriteError when writing fails.
 void write_png(std::string const& path, Pixels const& pixels);
 
-/// One below the other, all equally wide.
-Pixels stacked(std::vector<Pixels> const& pictures);
+/// Equal pictures in one: one below the other if they are wide strips, else side by side.
+Pixels joined(std::vector<Pixels> const& pictures);
 
 } // namespace clack::view

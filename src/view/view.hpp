@@ -23,7 +23,7 @@ struct Options {
     Form form = Form::scene; // a scene is run live, a trajectory replayed
     std::vector<std::string> overrides;
 
-    std::string screenshot;    // PNG to write; one picture a time, one below the other
+    std::string screenshot;    // PNG to write; a picture for each time
     std::string movie;         // MP4 to write
     std::vector<double> times; // of the pictures, or of the movie's start  [time]
     int width = 1000, height = 750;

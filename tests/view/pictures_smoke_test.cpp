@@ -102,9 +102,10 @@ int dark_pixels(Pixels const& pixels) {
 }
 
 Pixels shot(std::vector<std::string> const& more, std::string const& path) {
-    std::vector<std::string> words{"view",   path,     "--screenshot", folder.file("shot.png"),
-                                   "--size", "320x240"};
+    std::vector<std::string> words{"view", path, "--screenshot", folder.file("shot.png")};
     words.insert(words.end(), more.begin(), more.end());
+    if (std::find(more.begin(), more.end(), "--size") == more.end())
+        words.insert(words.end(), {"--size", "320x240"});
     auto const outcome = run_clack(words);
     BOOST_REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
     return read_png(folder.file("shot.png"));
@@ -153,10 +154,15 @@ BOOST_AUTO_TEST_CASE(the_same_scene_gives_the_same_pixels_live_and_replayed) {
     BOOST_TEST((shot({"--time", "1.3"}, folder.file("run.h5")).rgb == first.rgb));
 }
 
-BOOST_AUTO_TEST_CASE(times_stand_one_below_the_other) {
+BOOST_AUTO_TEST_CASE(times_stand_side_by_side_and_strips_one_below_the_other) {
     auto const picture = shot({"--time", "0,1,2"}, two_balls());
-    BOOST_TEST(picture.size.height == 720);
+    BOOST_TEST(picture.size.width == 960);
+    BOOST_TEST(picture.size.height == 240);
     BOOST_TEST(patches_of(picture).size() == 6u);
+    auto const strips = shot({"--time", "0,1,2", "--size", "320x100"}, two_balls());
+    BOOST_TEST(strips.size.width == 320);
+    BOOST_TEST(strips.size.height == 300);
+    BOOST_TEST(patches_of(strips).size() == 6u);
 }
 
 BOOST_AUTO_TEST_CASE(clipping_hides_the_balls_in_front) {
