@@ -45,7 +45,7 @@ struct Scene {
     Events events = Events::dropped;
 };
 
-/// Collisions in which each ball takes part in so many, on average: a ball in half of those counted.
+/// How many collisions there are when each ball takes part in so many, on average.
 std::uint64_t collisions_of(double per_ball, std::int64_t count);
 
 /// Reads and checks a scene file; each override is "section.key=value" in TOML.

@@ -11,9 +11,18 @@ namespace clack::view {
 
 namespace {
 
-/// Perspective makes a ball's outline an ellipse around a point beside its centre. At these angles
-/// of view a disc of these shares of the radius lies within it, or without.
-constexpr float inner_share = 0.94f, outer_share = 1.12f;
+/// Perspective makes a ball's outline an ellipse around a point beside its centre: discs of these
+/// shares of its radius lie within it, or around it.
+struct Shares {
+    float inner, outer;
+};
+
+///   angle    radius over distance
+///   tangent  of the angle between the middle of the picture and its corner
+Shares shares_of(float angle, float tangent) {
+    return {1 - angle * (0.5f + tangent),
+            std::sqrt(1 + tangent * tangent) * (1 + angle * (0.5f + tangent))};
+}
 
 Eigen::Vector3f place_of(DrawnBall const& ball) { return {ball.x, ball.y, ball.z}; }
 
@@ -48,7 +57,7 @@ void BallOrder::sort_by_distance(Picture const& picture, Eigen::Vector3f const& 
 }
 
 void BallOrder::clear_screen(float radius_in_pixels, PixelSize size) {
-    cell_ = std::clamp(radius_in_pixels / 3, 1.f, 8.f);
+    cell_ = std::clamp(radius_in_pixels / 4, 1.f, 8.f);
     columns_ = static_cast<int>(static_cast<float>(size.width) / cell_) + 1;
     rows_ = static_cast<int>(static_cast<float>(size.height) / cell_) + 1;
     covered_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
@@ -72,8 +81,14 @@ template <class Visit> bool BallOrder::each_cell_row(Disc const& disc, Visit con
 
 bool BallOrder::is_hidden(Disc const& disc) const {
     return each_cell_row(disc, [&](int row, int left, int right) {
+        float const top = static_cast<float>(row) * cell_ - disc.y;
+        float const away = std::max({top, -top - cell_, 0.f}); // of the row's nearest point
+        float const half = std::sqrt(std::max(disc.radius * disc.radius - away * away, 0.f));
+        int const first = std::max(left, static_cast<int>(std::floor((disc.x - half) / cell_)));
+        int const last = std::min(right, static_cast<int>(std::floor((disc.x + half) / cell_)) + 1);
         auto const begin = covered_.begin() + static_cast<std::ptrdiff_t>(row) * columns_;
-        return std::all_of(begin + left, begin + right, [](std::uint8_t cell) { return cell; });
+        return first >= last || std::all_of(begin + first, begin + last,
+                                            [](std::uint8_t cell) { return cell != 0; });
     });
 }
 
@@ -97,6 +112,8 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
     Eigen::Matrix4f const projection = camera.projection(size);
     auto const height = static_cast<float>(size.height), width = static_cast<float>(size.width);
     float const scale = picture.radius * camera.focal_length() * height;
+    float const tangent =
+        0.5f * std::sqrt(1 + size.aspect() * size.aspect()) / camera.focal_length();
     sort_by_distance(picture, eye);
     clear_screen(scale / camera.distance(), size);
     VisibleBalls visible;
@@ -107,13 +124,14 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
         float const depth = projected.w();
         if (depth < 1.5f * picture.radius) continue; // at the eye, or behind it
         float const radius = scale / depth;
+        auto const shares = shares_of(picture.radius / depth, tangent);
         Disc disc{(projected.x() / depth + 1) * width / 2, (1 - projected.y() / depth) * height / 2,
-                  outer_share * radius + 1};
+                  shares.outer * radius + 0.5f};
         if (disc.x + disc.radius < 0 || disc.x - disc.radius > width || disc.y + disc.radius < 0 ||
             disc.y - disc.radius > height || is_hidden(disc)) {
             continue;
         }
-        disc.radius = inner_share * radius - 1;
+        disc.radius = shares.inner * radius;
         cover(disc);
         (radius < dot_radius ? visible.dots : visible.near).push_back(ball);
     }

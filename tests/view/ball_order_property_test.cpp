@@ -1,0 +1,109 @@
+#include "view/ball_order.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace clack::view;
+
+namespace {
+
+constexpr float radius = 0.03f;
+
+/// Balls at random that do not overlap: 30 % of the cube, so that most hide some others.
+Picture made_up_picture() {
+    std::mt19937 bits(7);
+    std::uniform_real_distribution<float> uniform(radius, 1 - radius);
+    Picture picture;
+    picture.radius = radius;
+    for (int trial = 0; trial < 100'000 && picture.balls.size() < 2500; ++trial) {
+        Eigen::Vector3f const place(uniform(bits), uniform(bits), uniform(bits));
+        bool const free =
+            std::all_of(picture.balls.begin(), picture.balls.end(), [&](DrawnBall const& other) {
+                return (Eigen::Vector3f(other.x, other.y, other.z) - place).norm() > 2 * radius;
+            });
+        if (free) picture.balls.push_back({place.x(), place.y(), place.z(), {}, 0});
+    }
+    return picture;
+}
+
+/// How far along the ray a ball begins; infinite for one that is missed.
+float entry(Ray const& ray, DrawnBall const& ball) {
+    Eigen::Vector3f const away = Eigen::Vector3f(ball.x, ball.y, ball.z) - ray.origin;
+    float const along = away.dot(ray.direction);
+    float const aside2 = (away - along * ray.direction).squaredNorm();
+    constexpr float rim = 0.999f; // rounding decides who is hit at the very edge
+    if (aside2 > rim * radius * radius) return std::numeric_limits<float>::infinity();
+    return along - std::sqrt(radius * radius - aside2);
+}
+
+DrawnBall const* nearest(std::vector<DrawnBall> const& balls, Ray const& ray) {
+    DrawnBall const* found = nullptr;
+    for (DrawnBall const& ball : balls) {
+        if (!(entry(ray, ball) < std::numeric_limits<float>::infinity())) continue;
+        if (!found || entry(ray, ball) < entry(ray, *found)) found = &ball;
+    }
+    return found;
+}
+
+DrawnBall const* first_hit(std::vector<DrawnBall> const& balls, Ray const& ray) {
+    for (DrawnBall const& ball : balls) {
+        if (entry(ray, ball) < std::numeric_limits<float>::infinity()) return &ball;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(each_ray_of_sight_meets_the_same_ball_first_in_order_as_in_space) {
+    auto const picture = made_up_picture();
+    PixelSize const size{640, 480};
+    for (float const zoom : {1.f, 4.f}) {
+        Camera camera;
+        camera.fit(size);
+        camera.zoom = zoom;
+        auto const visible = BallOrder().visible(picture, camera, size);
+        BOOST_TEST(visible.dots.empty());
+        BOOST_TEST(visible.near.size() < 0.95 * static_cast<double>(picture.balls.size()));
+        int wrong = 0, hits = 0;
+        for (int k = 0; k < 4000; ++k) {
+            auto const ray = camera.ray_through(static_cast<float>(k * 37 % 640) + 0.5f,
+                                                static_cast<float>(k * 91 % 480) + 0.5f, size);
+            auto const* const in_space = nearest(picture.balls, ray);
+            if (!in_space) continue;
+            ++hits;
+            auto const* const in_order = first_hit(visible.near, ray);
+            wrong += !in_order || in_order->x != in_space->x || in_order->y != in_space->y;
+        }
+        BOOST_TEST(hits > 500);
+        BOOST_TEST(wrong == 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(small_balls_are_dots) {
+    auto picture = made_up_picture();
+    Camera camera;
+    camera.fit({40, 30});
+    auto const visible = BallOrder().visible(picture, camera, {40, 30});
+    BOOST_TEST(visible.near.empty());
+    BOOST_TEST(!visible.dots.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_ray_through_a_place_seen_comes_from_there) {
+    Camera camera;
+    PixelSize const size{500, 400};
+    camera.fit(size);
+    camera.orbit(0.7f, 0.3f);
+    camera.zoom_by(1.7f);
+    camera.pan(0.1f, -0.05f);
+    Eigen::Vector3f const place(0.3f, 0.6f, 0.45f);
+    Eigen::Vector4f const seen =
+        camera.projection(size) * Eigen::Vector4f(place.x(), place.y(), place.z(), 1);
+    Ray const ray =
+        camera.ray_through((seen.x() / seen.w() + 1) * 250, (1 - seen.y() / seen.w()) * 200, size);
+    Eigen::Vector3f const away = place - ray.origin;
+    BOOST_TEST((away - away.dot(ray.direction) * ray.direction).norm() < 1e-5f);
+}
