@@ -25,7 +25,7 @@ public:
     Eigen::Vector3f target = Eigen::Vector3f::Constant(0.5f);
 
     void orbit(float right, float up);
-    void pan(float right, float up); // in heights of the picture
+    void pan(float to_right, float to_top); // in heights of the picture
     void zoom_by(float factor);
 
     /// With zoom 1 and the centre as its target, the whole cube fits a picture of this size.
