@@ -10,7 +10,10 @@ namespace clack::view {
 
 struct Offscreen::Context {
     Context() {
-        // Asked for under its older name: libepoxy aborts on that of EGL 1.5.
+        // Asked for under its older name, and only where it is: libepoxy aborts on what it lacks.
+        if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base") ||
+            !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+            refuse();
         display_ =
             eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
         if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) refuse();

@@ -191,6 +191,23 @@ BOOST_AUTO_TEST_CASE(a_movie_has_its_frames) {
     BOOST_TEST((text_of(movie) == text_of(again)));
 }
 
+BOOST_AUTO_TEST_CASE(without_opengl_or_ffmpeg_there_is_a_line) {
+    auto const path = two_balls();
+    auto const is_refused = [&](Outcome const& outcome, std::string const& part) {
+        BOOST_TEST_CONTEXT(outcome.err) {
+            BOOST_TEST(outcome.code == 2);
+            BOOST_TEST(outcome.err_is_one_line());
+            BOOST_TEST(outcome.err.find(part) != std::string::npos);
+        }
+    };
+    is_refused(run_clack({"view", path, "--screenshot", folder.file("none.png")},
+                         {"env", "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}),
+               "no OpenGL 3.3");
+    is_refused(
+        run_clack({"view", path, "--movie", folder.file("none.mp4")}, {"env", "PATH=/nonexistent"}),
+        "ffmpeg cannot be started");
+}
+
 BOOST_AUTO_TEST_CASE(mistakes_get_one_line_and_no_file) {
     auto const path = two_balls();
     auto const output = folder.file("none.png");
