@@ -164,15 +164,7 @@ void add_camera_options(CLI::App& command, view::Options& options) {
         ->check(CLI::Range(0.0, 1.0).description(""));
 }
 
-void add_view(CLI::App& app, std::function<int()>& chosen, view::Options& options) {
-    auto& command = *app.add_subcommand(
-        "view", "see a scene run, or a trajectory replayed: in a window, as a picture or a movie");
-    command.add_option("FILE", options.path, "scene (.toml) or trajectory (.h5)")
-        ->required()
-        ->type_name("");
-    command.add_option("--set", options.overrides, "as for run; scenes only")
-        ->type_name("SECTION.KEY=VALUE")
-        ->allow_extra_args(false);
+void add_picture_options(CLI::App& command, view::Options& options) {
     command.add_option("--screenshot", options.screenshot, "picture to draw, without a display")
         ->type_name("OUT.png");
     command.add_option("--movie", options.movie, "movie to draw, without a display")
@@ -198,6 +190,18 @@ void add_view(CLI::App& app, std::function<int()>& chosen, view::Options& option
     command.add_option("--speed", options.speed, "simulated time in a second [1]")
         ->type_name("FACTOR")
         ->check(CLI::Range(1e-9, 1e9).description(""));
+}
+
+void add_view(CLI::App& app, std::function<int()>& chosen, view::Options& options) {
+    auto& command = *app.add_subcommand(
+        "view", "see a scene run, or a trajectory replayed: in a window, as a picture or a movie");
+    command.add_option("FILE", options.path, "scene (.toml) or trajectory (.h5)")
+        ->required()
+        ->type_name("");
+    command.add_option("--set", options.overrides, "as for run; scenes only")
+        ->type_name("SECTION.KEY=VALUE")
+        ->allow_extra_args(false);
+    add_picture_options(command, options);
     add_camera_options(command, options);
     command
         .add_option("--visit", options.visit,

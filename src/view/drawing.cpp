@@ -18,7 +18,7 @@ void attribute(GLuint index, GLint count, GLenum type, GLboolean scaled, std::si
                std::size_t offset, GLuint divisor) {
     glEnableVertexAttribArray(index);
     glVertexAttribPointer(index, count, type, scaled, static_cast<GLsizei>(stride),
-                          reinterpret_cast<void const*>(offset));
+                          static_cast<char const*>(nullptr) + offset);
     glVertexAttribDivisor(index, divisor);
 }
 
