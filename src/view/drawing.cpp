@@ -17,8 +17,10 @@ constexpr std::size_t balls_at_a_time = 4096; // some ten milliseconds in softwa
 void attribute(GLuint index, GLint count, GLenum type, GLboolean scaled, std::size_t stride,
                std::size_t offset, GLuint divisor) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, count, type, scaled, static_cast<GLsizei>(stride),
-                          static_cast<char const*>(nullptr) + offset);
+    // OpenGL takes an offset into a buffer for a pointer.
+    auto const* const place =
+        reinterpret_cast<void const*>(offset); // NOLINT(performance-no-int-to-ptr)
+    glVertexAttribPointer(index, count, type, scaled, static_cast<GLsizei>(stride), place);
     glVertexAttribDivisor(index, divisor);
 }
 
