@@ -182,6 +182,7 @@ void RecordedRun::flush() {
     auto const begin = Clock::now();
     point_.engine = engine_.checkpoint();
     writer_.flush(point_);
+    point_.engine = {}; // as large as the balls themselves
     last_flush_ = Clock::now();
     flush_seconds_ = seconds_since(begin);
     frame_is_new_ = false;

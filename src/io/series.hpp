@@ -80,6 +80,8 @@ public:
                               waiting_.data(), detail::Transfer::write);
         checked_status(H5Dflush(dataset_.get()), "flush a dataset");
         rows_ += rows;
+        constexpr std::size_t kept_bytes = 4u << 20; // a million balls' frame is not
+        if (waiting_.capacity() * sizeof(Number) > kept_bytes) waiting_ = {};
         waiting_.clear();
     }
 
