@@ -26,7 +26,7 @@ public:
 
     /// Where the next balls may be written, so many at most; `grow_to` then says where they end.
     std::int32_t* room(std::size_t count) {
-        if (size_ + count > balls_.size()) balls_.resize(2 * (size_ + count));
+        if (size_ + count > balls_.size()) grow(count);
         return balls_.data() + size_;
     }
     void grow_to(std::int32_t const* end) { size_ = static_cast<std::size_t>(end - balls_.data()); }
@@ -41,6 +41,10 @@ public:
     std::size_t bytes() const { return balls_.capacity() * sizeof(std::int32_t); }
 
 private:
+    [[gnu::noinline, gnu::cold]] void grow(std::size_t count) {
+        balls_.resize(2 * (size_ + count));
+    }
+
     std::vector<std::int32_t> balls_;
     std::size_t size_ = 0;
 };
@@ -101,9 +105,14 @@ public:
     void collect_around(Cell const& cell, BallBuffer& balls) const {
         auto const x = lines(0, cell), y = lines(1, cell), z = lines(2, cell);
         collect<27>(balls, [&](auto&& append) {
-            for (std::size_t in_z : z)
-                for (std::size_t in_y : y)
-                    for (std::size_t in_x : x) append(in_z + in_y + in_x);
+            for (std::size_t in_z : z) {
+                for (std::size_t in_y : y) {
+                    std::size_t const row = in_z + in_y;
+                    append(row + x[0]);
+                    append(row + x[1]);
+                    append(row + x[2]);
+                }
+            }
         });
     }
 
@@ -113,8 +122,12 @@ public:
         std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
         auto const u = lines((axis + 1) % 3, cell), v = lines((axis + 2) % 3, cell);
         collect<9>(balls, [&](auto&& append) {
-            for (std::size_t in_u : u)
-                for (std::size_t in_v : v) append(face + in_u + in_v);
+            for (std::size_t in_u : u) {
+                std::size_t const row = face + in_u;
+                append(row + v[0]);
+                append(row + v[1]);
+                append(row + v[2]);
+            }
         });
     }
 
@@ -141,6 +154,7 @@ public:
 
 private:
     using Cells = ChainedBins<6>; // a block is half a cache line
+    using Whole [[gnu::vector_size(sizeof(Cells::Block))]] = std::int32_t;
 
     /// Appends the balls of so many bins: `visit` calls what it is given for each. Blocks are
     /// copied whole, which takes neither loop nor branch, and the part that counts is kept.
@@ -148,9 +162,12 @@ private:
     template <std::size_t bins, class Visit> void collect(BallBuffer& balls, Visit&& visit) const {
         std::int32_t* end = balls.room(bins * sizeof(Cells::Block) / sizeof(std::int32_t));
         std::int32_t more = Cells::end_of_chain;
+        Cells::Block const* const blocks = &cells_.block(0);
         visit([&](std::size_t bin) {
-            Cells::Block const& block = cells_.block(bin);
-            std::memcpy(end, &block, sizeof block);
+            Cells::Block const& block = blocks[bin];
+            Whole copied; // in one register
+            std::memcpy(&copied, &block, sizeof block);
+            std::memcpy(end, &copied, sizeof copied);
             end += block.count;
             more &= block.more;
         });

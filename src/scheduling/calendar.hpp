@@ -21,7 +21,7 @@ template <class Real> class Calendar {
 public:
     static constexpr Staleness staleness = Staleness::found;
 
-    explicit Calendar(std::size_t count) {
+    explicit Calendar(std::size_t count) : looks_ahead_(count >= looks_ahead_from) {
         std::size_t buckets = 4;
         while (balls_per_bucket * buckets < 2 * count) buckets *= 2;
         mask_ = static_cast<std::int64_t>(buckets) - 1;
@@ -40,7 +40,7 @@ public:
     void update(NextEvents<Real> const& next, std::int32_t ball) { file(next, ball); }
 
     std::int32_t earliest(NextEvents<Real> const& next) {
-        if (bucket_.size() < events_ahead) open_one_more(next);
+        if (looks_ahead_ && bucket_.size() < events_ahead) open_one_more(next);
         for (;;) {
             std::int32_t const first = bucket_.earliest(next);
             if (first != no_event) return first;
@@ -48,13 +48,16 @@ public:
         }
     }
 
+    /// Whether there are so many balls that it pays to know a few events in advance, for the
+    /// memory.
+    bool looks_ahead() const { return looks_ahead_; }
     /// The ball of the event that is so many places behind the first, if it is known yet.
     std::int32_t upcoming(std::size_t places) const { return bucket_.upcoming(places); }
 
     std::size_t bytes() const { return ring_.bytes() + bucket_.bytes(); }
 
 private:
-    static constexpr std::size_t events_ahead = 4;
+    static constexpr std::size_t looks_ahead_from = 65'536, events_ahead = 4;
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
 
     /// As if all waited equally long.
@@ -138,6 +141,7 @@ private:
             __builtin_prefetch(&next[block.ball[static_cast<std::size_t>(k)]]);
     }
 
+    bool looks_ahead_;
     ChainedBins<14> ring_; // a block is a cache line
     std::int64_t mask_;    // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;

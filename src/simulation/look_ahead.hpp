@@ -11,8 +11,6 @@ namespace clack {
 /// Each thing is asked for when that which leads to it has come: two events ahead the records of
 /// the two balls and their lists, one event ahead the records of those on the lists.
 struct LookAhead {
-    static constexpr std::int32_t outgrows_cache = 65'536; // balls
-
     template <class Search, class Queue>
     static constexpr bool possible = requires(Search search, Queue queue) {
         search.fetch_for_refresh(0);

@@ -63,8 +63,7 @@ public:
                 continue;
             }
             if constexpr (can_look_ahead) {
-                if (state_.count() >= LookAhead::outgrows_cache)
-                    LookAhead::look(state_, next_, search_, queue_);
+                if (queue_.looks_ahead()) LookAhead::look(state_, next_, search_, queue_);
             }
             laws_.time_goes_on(clock_, time);
             clock_.offset = time;
