@@ -67,6 +67,16 @@ void add_resume(CLI::App& app, std::function<int()>& chosen, ResumeOptions& opti
     command.callback([&] { chosen = [&] { return resume_command(options); }; });
 }
 
+void add_scene_or_trajectory(CLI::App& command, std::string& path,
+                             std::vector<std::string>& overrides) {
+    command.add_option("FILE", path, "scene (.toml) or trajectory (.h5)")
+        ->required()
+        ->type_name("");
+    command.add_option("--set", overrides, "as for run; scenes only")
+        ->type_name("SECTION.KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
 struct InfoOptions {
     std::string path;
     std::vector<std::string> overrides;
@@ -75,12 +85,7 @@ struct InfoOptions {
 void add_info(CLI::App& app, std::function<int()>& chosen, InfoOptions& options) {
     auto& command = *app.add_subcommand(
         "info", "what a scene will be run with and cost; what a trajectory holds");
-    command.add_option("FILE", options.path, "scene (.toml) or trajectory (.h5)")
-        ->required()
-        ->type_name("");
-    command.add_option("--set", options.overrides, "as for run; scenes only")
-        ->type_name("SECTION.KEY=VALUE")
-        ->allow_extra_args(false);
+    add_scene_or_trajectory(command, options.path, options.overrides);
     command.callback(
         [&] { chosen = [&] { return info_command(options.path, options.overrides); }; });
 }
@@ -195,12 +200,7 @@ void add_picture_options(CLI::App& command, view::Options& options) {
 void add_view(CLI::App& app, std::function<int()>& chosen, view::Options& options) {
     auto& command = *app.add_subcommand(
         "view", "see a scene run, or a trajectory replayed: in a window, as a picture or a movie");
-    command.add_option("FILE", options.path, "scene (.toml) or trajectory (.h5)")
-        ->required()
-        ->type_name("");
-    command.add_option("--set", options.overrides, "as for run; scenes only")
-        ->type_name("SECTION.KEY=VALUE")
-        ->allow_extra_args(false);
+    add_scene_or_trajectory(command, options.path, options.overrides);
     add_picture_options(command, options);
     add_camera_options(command, options);
     command
