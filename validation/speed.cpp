@@ -23,19 +23,32 @@ Question const question{
     "shared machine wander by so much; the aims (5 times the heap from 4000 balls on, walls within "
     "a tenth of periodic, a cost that grows 2.5-fold at most) are reported and not judged"};
 
-std::vector<Found> measured(Plan const& plan, Experiment& experiment) {
+/// What is measured of one state point, from the campaign as far as it has it.
+Found found_at(Point const& point, int const replicates, Experiment& experiment) {
     std::string const peer_command = peer_of_environment();
     std::string with_peer = peer_command.empty() ? "" : " peer=" + peer_command;
     std::replace(with_peer.begin(), with_peer.end(), '|', ' '); // which ends a state point's text
+    auto const measurements = experiment.campaign().replicates(
+        point.text() + with_peer, replicates,
+        [&](std::uint64_t const seed) { return flat(measure(point, seed, peer_command)); });
+    Found found{point, {}};
+    for (Measurement const& replicate : measurements)
+        found.replicates.push_back(costs_of(replicate));
+    return found;
+}
+
+/// All state points. On a machine with other work ratios wander, so what is undecided is measured
+/// again, up to `longest` times as often.
+std::vector<Found> measured(Plan const& plan, Experiment& experiment) {
+    constexpr int longest = 4;
     std::vector<Found> all;
-    for (Point const& point : plan.points()) {
-        auto const replicates = experiment.campaign().replicates(
-            point.text() + with_peer, plan.replicates,
-            [&](std::uint64_t const seed) { return flat(measure(point, seed, peer_command)); });
-        Found found{point, {}};
-        for (Measurement const& replicate : replicates)
-            found.replicates.push_back(costs_of(replicate));
-        all.push_back(found);
+    for (Point const& point : plan.points())
+        all.push_back(found_at(point, plan.replicates, experiment));
+    for (int times = 2; times <= longest; ++times) {
+        auto const targets = targets_of(all);
+        for (Found& found : all)
+            if (is_undecided(found.point, targets))
+                found = found_at(found.point, times * plan.replicates, experiment);
     }
     return all;
 }

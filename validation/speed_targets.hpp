@@ -142,7 +142,7 @@ inline Found const* fewer_balls(std::vector<Found> const& all, Point const& poin
 inline Estimate growth(Found const& from, Found const& to, std::size_t const boundary,
                        std::size_t const runner) {
     std::vector<double> ratios;
-    for (std::size_t k = 0; k < from.replicates.size(); ++k)
+    for (std::size_t k = 0; k < std::min(from.replicates.size(), to.replicates.size()); ++k)
         ratios.push_back(from.replicates[k][boundary][runner].seconds /
                          to.replicates[k][boundary][runner].seconds);
     return median_of(ratios);
@@ -168,6 +168,14 @@ inline std::vector<Target> targets_of(std::vector<Found> const& all) {
     }
     decide(targets);
     return targets;
+}
+
+/// Whether anything that is judged of a state point is still open.
+inline bool is_undecided(Point const& point, std::vector<Target> const& targets) {
+    return std::any_of(targets.begin(), targets.end(), [&](Target const& target) {
+        return is_judged(target.yardstick) && target.verdict == Verdict::undecided &&
+               target.point.text() == point.text();
+    });
 }
 
 } // namespace clack::validation::speed
