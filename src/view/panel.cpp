@@ -1,5 +1,7 @@
 #include "view/panel.hpp"
 
+#include "view/panel_text.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -10,8 +12,6 @@
 namespace clack::view {
 
 namespace {
-
-void text(std::string const& line) { ImGui::TextUnformatted(line.c_str()); }
 
 void draw_clock(Session& session) {
     Shown const& shown = *session.shown;

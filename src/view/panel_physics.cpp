@@ -1,5 +1,7 @@
 #include "view/panel.hpp"
 
+#include "view/panel_text.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -14,8 +16,6 @@ constexpr ImU32 bar_colour = IM_COL32(86, 180, 233, 160),
                 exact_colour = IM_COL32(255, 255, 255, 255),
                 maxwell_colour = IM_COL32(230, 159, 0, 255),
                 axis_colour = IM_COL32(150, 150, 150, 255);
-
-void text(std::string const& line) { ImGui::TextUnformatted(line.c_str()); }
 
 void curve(std::vector<float> const& values, float top, ImVec2 origin, ImVec2 size, ImU32 colour,
            float width) {
