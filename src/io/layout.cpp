@@ -153,6 +153,11 @@ void FrameSeries::push(Snapshot const& frame, Sample const& sample) {
     position_.push(numbers<double>(frame.positions));
     velocity_.push(numbers<double>(frame.velocities));
     if (image_) image_.push(numbers<std::int32_t>(frame.images));
+    push_small(frame, sample);
+}
+
+/// All that does not grow with the number of balls.
+void FrameSeries::push_small(Snapshot const& frame, Sample const& sample) {
     std::array<double, 9> const edges{side_, 0, 0, 0, side_, 0, 0, 0, side_};
     edges_.push(edges);
     step_.push(static_cast<std::int64_t>(frame.ball_collisions));
@@ -172,6 +177,15 @@ void FrameSeries::write_waiting() {
     step_.write_waiting();
     time_.write_waiting();
     position_.write_waiting();
+}
+
+void FrameSeries::write(Snapshot const& frame, Sample const& sample) {
+    write_waiting();
+    velocity_.write(numbers<double>(frame.velocities));
+    if (image_) image_.write(numbers<std::int32_t>(frame.images));
+    push_small(frame, sample);
+    write_waiting();
+    position_.write(numbers<double>(frame.positions));
 }
 
 void FrameSeries::copy_from(FrameSeries const& source, std::size_t rows) {

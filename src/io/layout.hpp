@@ -48,6 +48,8 @@ public:
     std::size_t waiting_bytes() const;
     /// The positions last: readers count frames by them, and find all else there already.
     void write_waiting();
+    /// A frame too large to be copied first.
+    void write(Snapshot const& frame, Sample const& sample);
     void copy_from(FrameSeries const& source, std::size_t rows);
 
     std::size_t rows() const;
@@ -56,6 +58,8 @@ public:
     Sample sample(std::size_t frame) const;
 
 private:
+    void push_small(Snapshot const& frame, Sample const& sample);
+
     double side_ = 0;
     hdf5::Series<double> position_, velocity_, edges_, time_;
     hdf5::Series<std::int32_t> image_; // periodic only

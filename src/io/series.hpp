@@ -4,6 +4,7 @@
 #include "io/hdf5.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -74,15 +75,14 @@ public:
     /// Appends what waits and hands it to the system, where it outlives this process.
     void write_waiting() {
         if (waiting_.empty()) return;
-        auto const rows = waiting_.size() / row_numbers();
-        detail::resize_series(dataset_, row_shape_, rows_ + rows);
-        detail::transfer_rows(dataset_, native_type<Number>(), row_shape_, rows_, rows,
-                              waiting_.data(), detail::Transfer::write);
-        checked_status(H5Dflush(dataset_.get()), "flush a dataset");
-        rows_ += rows;
-        constexpr std::size_t kept_bytes = 4u << 20; // a million balls' frame is not
-        if (waiting_.capacity() * sizeof(Number) > kept_bytes) waiting_ = {};
+        append(waiting_);
         waiting_.clear();
+    }
+
+    /// The same for rows too large to be copied first. Nothing may wait.
+    void write(std::span<Number const> numbers) {
+        assert(waiting_.empty());
+        append(numbers);
     }
 
     std::vector<Number> read(std::size_t first, std::size_t rows) const {
@@ -109,6 +109,15 @@ public:
     }
 
 private:
+    void append(std::span<Number const> numbers) {
+        auto const rows = numbers.size() / row_numbers();
+        detail::resize_series(dataset_, row_shape_, rows_ + rows);
+        detail::transfer_rows(dataset_, native_type<Number>(), row_shape_, rows_, rows,
+                              const_cast<Number*>(numbers.data()), detail::Transfer::write);
+        checked_status(H5Dflush(dataset_.get()), "flush a dataset");
+        rows_ += rows;
+    }
+
     Id dataset_;
     std::vector<hsize_t> row_shape_;
     std::size_t rows_ = 0;

@@ -51,11 +51,17 @@ void TrajectoryWriter::copy_from(TrajectoryReader const& source, ResumePoint con
 }
 
 void TrajectoryWriter::add_frame(Snapshot const& frame, Sample const& sample) {
-    frame_series_.push(frame, sample);
-    ++frames_;
-    if (frame_series_.waiting_bytes() > waiting_bytes_max) {
-        guarded([&] { frame_series_.write_waiting(); });
+    bool const is_large =
+        static_cast<std::size_t>(frame.positions.size()) * sizeof(double) > waiting_bytes_max;
+    if (is_large) {
+        guarded([&] { frame_series_.write(frame, sample); });
+    } else {
+        frame_series_.push(frame, sample);
+        if (frame_series_.waiting_bytes() > waiting_bytes_max) {
+            guarded([&] { frame_series_.write_waiting(); });
+        }
     }
+    ++frames_;
 }
 
 void TrajectoryWriter::add_sample(Sample const& sample) {

@@ -46,12 +46,23 @@ std::vector<std::int32_t> memory_order(std::vector<Ball<Real>> const& balls, Rea
     return order;
 }
 
+/// In place, one cycle of the permutation after another: a copy would be the largest thing in memory.
 template <class Item>
 void reorder(std::vector<Item>& items, std::vector<std::int32_t> const& order) {
-    std::vector<Item> moved;
-    reserve_large(moved, items.size());
-    for (std::int32_t const from : order) moved.push_back(items[static_cast<std::size_t>(from)]);
-    items.swap(moved);
+    std::vector<bool> moved(items.size());
+    for (std::size_t first = 0; first < items.size(); ++first) {
+        if (moved[first]) continue;
+        Item const displaced = items[first];
+        std::size_t to = first;
+        for (auto from = static_cast<std::size_t>(order[to]); from != first;
+             from = static_cast<std::size_t>(order[to])) {
+            items[to] = items[from];
+            moved[to] = true;
+            to = from;
+        }
+        items[to] = displaced;
+        moved[to] = true;
+    }
 }
 
 } // namespace clack
