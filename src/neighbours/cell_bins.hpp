@@ -4,6 +4,7 @@
 #include "state/ball.hpp"
 #include "state/chained_bins.hpp"
 #include "state/huge_pages.hpp"
+#include "state/prefetch.hpp"
 #include "state/system.hpp"
 
 #include <algorithm>
@@ -131,17 +132,23 @@ public:
         });
     }
 
-    /// Hints to the memory: where a ball is, and the cells around it.
-    void fetch(std::int32_t ball) const { __builtin_prefetch(cell_of_.data() + ball); }
-    void fetch_around(std::int32_t ball) const {
-        Cell const& cell = cell_of(ball);
+    /// Hints to the memory: where a ball is, and what `remove` and the two above will read.
+    void fetch(std::int32_t ball) const { prefetch(cell_of_.data() + ball); }
+    void fetch_own(std::int32_t ball) const { prefetch(&cells_.block(index(cell_of(ball)))); }
+    void fetch_around(Cell const& cell) const {
         auto const x = lines(0, cell);
         for (std::size_t in_z : lines(2, cell)) {
-            for (std::size_t in_y : lines(1, cell)) {
-                __builtin_prefetch(&cells_.block(in_z + in_y + x[0]));
-                __builtin_prefetch(&cells_.block(in_z + in_y + x[2]));
+            for (std::size_t in_y : lines(1, cell)) { // three in a row share a line or two
+                prefetch(&cells_.block(in_z + in_y + x[0]));
+                prefetch(&cells_.block(in_z + in_y + x[2]));
             }
         }
+    }
+    void fetch_beyond(Cell const& cell, std::size_t axis, std::int32_t direction) const {
+        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
+        for (std::size_t in_u : lines((axis + 1) % 3, cell))
+            for (std::size_t in_v : lines((axis + 2) % 3, cell))
+                prefetch(&cells_.block(face + in_u + in_v));
     }
 
     /// The next cell along an axis, through the boundary where it is periodic.

@@ -115,16 +115,26 @@ public:
     /// new face can hold balls that it could not touch before.
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                                           Real) {
-        std::size_t const d = exit_[static_cast<std::size_t>(ball)];
-        Real const v = balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(d)];
-        std::int32_t const direction = v > 0 ? 1 : -1;
-        CellBins::Cell cell = bins_.cell_of(ball);
-        cell[d] = bins_.next(cell[d], direction);
+        Crossing const crossing = crossing_of(balls, ball);
         bins_.remove(ball);
-        bins_.insert(ball, cell);
+        bins_.insert(ball, crossing.to);
         found_.clear();
-        bins_.collect_beyond(cell, d, direction, found_);
+        bins_.collect_beyond(crossing.to, crossing.axis, crossing.direction, found_);
         return padded(ball);
+    }
+
+    /// Hints to the memory: a ball's own entries, and what `candidates` and `refresh` will read.
+    void fetch(std::int32_t ball) const {
+        bins_.fetch(ball);
+        prefetch(exit_.data() + ball);
+    }
+    void fetch_candidates(std::vector<Ball<Real>> const&, std::int32_t ball) const {
+        bins_.fetch_around(bins_.cell_of(ball));
+    }
+    void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+        Crossing const crossing = crossing_of(balls, ball);
+        bins_.fetch_own(ball);
+        bins_.fetch_beyond(crossing.to, crossing.axis, crossing.direction);
     }
 
     std::size_t bytes() const { return bins_.bytes() + exit_.capacity() + found_.bytes(); }
@@ -133,6 +143,19 @@ private:
     // Fewer make crossings, more make candidates. Measured against 1: as fast at packing fraction
     // 0.01, 1.04 times at 0.05, 1.12 times at 0.20.
     static constexpr double balls_per_cell = 0.6;
+
+    struct Crossing {
+        std::size_t axis;
+        std::int32_t direction;
+        CellBins::Cell to;
+    };
+    Crossing crossing_of(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+        std::size_t const axis = exit_[static_cast<std::size_t>(ball)];
+        Real const v = balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(axis)];
+        Crossing crossing{axis, v > 0 ? 1 : -1, bins_.cell_of(ball)};
+        crossing.to[axis] = bins_.next(crossing.to[axis], crossing.direction);
+        return crossing;
+    }
 
     void cut_into(std::int32_t cells, std::vector<Ball<Real>> const& balls, Real now) {
         if (cells != lattice_.per_side) {

@@ -86,15 +86,22 @@ public:
         return candidates(ball);
     }
 
-    /// Hints to the memory: a ball's own entries, and what its refresh will touch.
+    /// Hints to the memory: a ball's own entries, and what follows `candidates` and `refresh`.
     void fetch(std::int32_t ball) const {
-        __builtin_prefetch(row(ball));
-        __builtin_prefetch(centre_.data() + ball);
+        prefetch(row(ball));
+        prefetch(centre_.data() + ball);
         bins_.fetch(ball);
     }
-    void fetch_for_refresh(std::int32_t ball) const {
-        for (std::int32_t const other : candidates(ball)) __builtin_prefetch(row(other), 1);
-        bins_.fetch_around(ball);
+    void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+        for (std::int32_t const other : candidates(ball)) prefetch(balls.data() + other);
+    }
+    void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+        bins_.fetch_around(bins_.cell_of(ball));
+        for (std::int32_t const other : candidates(ball)) {
+            prefetch(balls.data() + other);
+            prefetch(row(other));
+            prefetch(centre_.data() + other);
+        }
     }
 
     std::size_t bytes() const {

@@ -4,8 +4,10 @@
 
 #include "scheduling/open_bucket.hpp"
 #include "state/chained_bins.hpp"
+#include "state/prefetch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -21,7 +23,14 @@ template <class Real> class Calendar {
 public:
     static constexpr Staleness staleness = Staleness::found;
 
-    explicit Calendar(std::size_t count) : looks_ahead_(count >= looks_ahead_from) {
+    /// Whether a few events are known in advance, for the memory: it pays where there is too much
+    /// for a nearby cache. Measured: 0.95 times as fast at 8000 balls, 1.2 at 16 000, 1.4 to 2.1 at
+    /// 32 000 and more.
+    enum class Foresight { none, some };
+
+    explicit Calendar(std::size_t count)
+        : Calendar(count, count >= foresight_from ? Foresight::some : Foresight::none) {}
+    Calendar(std::size_t count, Foresight foresight) : looks_ahead_(foresight == Foresight::some) {
         std::size_t buckets = 4;
         while (balls_per_bucket * buckets < 2 * count) buckets *= 2;
         mask_ = static_cast<std::int64_t>(buckets) - 1;
@@ -30,6 +39,7 @@ public:
     void rebuild(NextEvents<Real> const& next, Real now) {
         ring_.reset(static_cast<std::size_t>(mask_) + 1);
         bucket_.clear();
+        waiting_.fill({});
         base_ = now;
         inverse_width_ = 1 / bucket_width(next, now);
         open_ = 0;
@@ -48,8 +58,6 @@ public:
         }
     }
 
-    /// Whether there are so many balls that it pays to know a few events in advance, for the
-    /// memory.
     bool looks_ahead() const { return looks_ahead_; }
     /// The ball of the event that is so many places behind the first, if it is known yet.
     std::int32_t upcoming(std::size_t places) const { return bucket_.upcoming(places); }
@@ -57,7 +65,7 @@ public:
     std::size_t bytes() const { return ring_.bytes() + bucket_.bytes(); }
 
 private:
-    static constexpr std::size_t looks_ahead_from = 65'536, events_ahead = 4;
+    static constexpr std::size_t foresight_from = 12'288, events_ahead = 4;
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
 
     /// As if all waited equally long.
@@ -81,14 +89,24 @@ private:
         return index < far ? static_cast<std::int64_t>(index) : static_cast<std::int64_t>(0x1p62);
     }
 
+    std::size_t slot_of(std::int64_t bucket) const {
+        return static_cast<std::size_t>(bucket & mask_);
+    }
+
+    /// Among many balls the bucket has to be asked for, and the ball waits for it to come.
     void file(NextEvents<Real> const& next, std::int32_t ball) {
         Real const time = next[ball].time();
         if (!(time < infinity<Real>)) return;
         std::int64_t const bucket = bucket_at(time);
-        if (bucket > open_) {
-            ring_.insert(static_cast<std::size_t>(bucket & mask_), ball);
-        } else {
+        if (bucket <= open_) {
             bucket_.insert(next, ball);
+        } else if (looks_ahead_) {
+            prefetch(&ring_.block(slot_of(bucket)));
+            Waiting& oldest = waiting_[turn_++ % waiting_.size()];
+            if (oldest.ball != no_event) ring_.insert(slot_of(oldest.bucket), oldest.ball);
+            oldest = {bucket, ball};
+        } else {
+            ring_.insert(slot_of(bucket), ball);
         }
     }
 
@@ -118,8 +136,11 @@ private:
     }
 
     void open(NextEvents<Real> const& next) {
-        fetch_following(next);
-        auto const slot = static_cast<std::size_t>(open_ & mask_);
+        auto const slot = slot_of(open_);
+        if (looks_ahead_) {
+            fetch_following(next);
+            file_waiting(slot);
+        }
         if (ring_.block(slot).count == 0) return;
         ring_.drain(slot, [&](std::int32_t ball) {
             Real const time = next[ball].time();
@@ -127,21 +148,37 @@ private:
             std::int64_t const bucket = bucket_at(time);
             if (bucket == open_) {
                 bucket_.insert(next, ball);
-            } else if (bucket > open_ && static_cast<std::size_t>(bucket & mask_) == slot) {
+            } else if (bucket > open_ && slot_of(bucket) == slot) {
                 ring_.insert(slot, ball);
             }
         });
     }
 
-    /// Asks the memory for what the next buckets to be opened will read.
-    void fetch_following(NextEvents<Real> const& next) const {
-        __builtin_prefetch(&ring_.block(static_cast<std::size_t>((open_ + 2) & mask_)));
-        auto const& block = ring_.block(static_cast<std::size_t>((open_ + 1) & mask_));
-        for (std::int32_t k = 0; k < block.count; ++k)
-            __builtin_prefetch(&next[block.ball[static_cast<std::size_t>(k)]]);
+    /// Those that wait for the bucket that is being opened.
+    void file_waiting(std::size_t slot) {
+        for (Waiting& waiting : waiting_) {
+            if (waiting.bucket != open_ || waiting.ball == no_event) continue;
+            ring_.insert(slot, waiting.ball);
+            waiting.ball = no_event;
+        }
     }
 
+    /// Asks the memory for what the next buckets to be opened will read.
+    void fetch_following(NextEvents<Real> const& next) const {
+        prefetch(&ring_.block(slot_of(open_ + 2)));
+        auto const& block = ring_.block(slot_of(open_ + 1));
+        for (std::int32_t k = 0; k < block.count; ++k)
+            prefetch(&next[block.ball[static_cast<std::size_t>(k)]]);
+    }
+
+    struct Waiting {
+        std::int64_t bucket = 0;
+        std::int32_t ball = no_event;
+    };
+
     bool looks_ahead_;
+    std::array<Waiting, 8> waiting_; // to be filed
+    std::size_t turn_ = 0;
     ChainedBins<14> ring_; // a block is a cache line
     std::int64_t mask_;    // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;

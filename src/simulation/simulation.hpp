@@ -210,7 +210,7 @@ private:
             earliest_contact(scenery(), i, search_.candidates(i), clock_.offset),
             earliest_contact(scenery(), j, search_.candidates(j), clock_.offset)};
         for (Contact<Real> const& contact : found) // they will be told
-            __builtin_prefetch(&next_[std::max(contact.ball, 0)]);
+            prefetch(&next_[std::max(contact.ball, 0)]);
         next_[i] = next_event(i, found[0]);
         queue_.update(next_, i); // a queue hears of one change at a time
         next_[j] = next_event(j, found[1]);

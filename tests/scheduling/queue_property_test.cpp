@@ -9,15 +9,23 @@
 #include <numeric>
 
 using namespace clack;
-using Queues = boost::mpl::list<CollisionTable<double>, BinaryHeap<double>, Calendar<double>,
-                                BinaryHeap<float>, Calendar<float>, Calendar<long double>>;
 
 namespace {
+
+/// The calendar of a large system.
+struct LargeCalendar : Calendar<double> {
+    explicit LargeCalendar(std::size_t count) : Calendar(count, Foresight::some) {}
+};
+
+using Queues =
+    boost::mpl::list<CollisionTable<double>, BinaryHeap<double>, Calendar<double>, LargeCalendar,
+                     BinaryHeap<float>, Calendar<float>, Calendar<long double>>;
 
 template <class Queue> struct RealOf;
 template <template <class> class Queue, class Real> struct RealOf<Queue<Real>> {
     using type = Real;
 };
+template <> struct RealOf<LargeCalendar> { using type = double; };
 
 std::vector<std::int32_t> shuffled(std::int32_t count, std::mt19937_64& random) {
     std::vector<std::int32_t> numbers(static_cast<std::size_t>(count));
