@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/memory.hpp"
 #include "io/file_errors.hpp"
 #include "io/provenance.hpp"
 
@@ -237,6 +238,7 @@ int run_chosen(std::function<int()> const& chosen) {
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is an error of writing, not a death
     std::signal(SIGPIPE, SIG_DFL);
+    give_back_what_is_freed();
 
     CLI::App app(description, "clack");
     app.set_version_flag("--version", "clack " + own_provenance().version + " (" +

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -87,6 +88,12 @@ void require_memory(Scene const& scene) {
         "({})",
         scene.system.count, bytes_in_words(static_cast<double>(needed)),
         bytes_in_words(static_cast<double>(available)), scene.source));
+}
+
+void give_back_what_is_freed() {
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
 }
 
 std::string bytes_in_words(double bytes) {

@@ -19,6 +19,10 @@ std::size_t run_bytes(Scene const& scene);
 /// Throws InputError, saying how much is needed and how much there is, when a scene does not fit.
 void require_memory(Scene const& scene);
 
+/// What is freed goes back to the system: the C library would come to keep arrays of up to 32 MiB,
+/// 13 bytes a ball among a million of them.
+void give_back_what_is_freed();
+
 /// "12.3 MiB"
 std::string bytes_in_words(double bytes);
 

@@ -54,7 +54,7 @@ private:
 /// along an axis share one: a ball's surroundings then hold a few balls that are far away.
 class CellBins {
 public:
-    using Cell = std::array<std::int32_t, 4>; // three coordinates, and nothing
+    using Cell = std::array<std::int32_t, 4>; // three coordinates, and what its owner notes there
 
     CellBins(Boundary boundary, std::int32_t cells_per_side, std::size_t ball_count)
         : boundary_(boundary), bins_per_side_(cells_per_side),
@@ -86,6 +86,12 @@ public:
         return cell_of_[static_cast<std::size_t>(ball)];
     }
 
+    void note(std::int32_t ball, std::int32_t something) {
+        cell_of_[static_cast<std::size_t>(ball)][3] = something;
+    }
+    std::size_t ball_count() const { return cell_of_.size(); }
+
+    /// The coordinates; the fourth number is the note.
     Fours<double> cell_as_four(std::int32_t ball) const {
         using Integers [[gnu::vector_size(16)]] = std::int32_t;
         Integers loaded;

@@ -61,8 +61,7 @@ public:
     CellGrid(System const& system, Container const& cube)
         : cube_(cube), lattice_(system, cube, system.diameter, balls_per_cell),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
-          exit_(static_cast<std::size_t>(system.count)), coarsest_(lattice_.per_side),
-          origin_(static_cast<double>(lattice_.origin)),
+          coarsest_(lattice_.per_side), origin_(static_cast<double>(lattice_.origin)),
           cell_side_(static_cast<double>(lattice_.side)), side_(system.side),
           inverse_side_(1 / system.side) {}
 
@@ -103,11 +102,11 @@ public:
         Numbers wait = distance / v;
         wait = wait > 0.0 ? wait : Numbers{};
         wait = never ? Numbers{inf, inf, inf, inf} : wait;
-        std::uint8_t axis = wait[1] < wait[0] ? 1 : 0;
+        std::int32_t axis = wait[1] < wait[0] ? 1 : 0;
         double first = wait[1] < wait[0] ? wait[1] : wait[0];
         axis = wait[2] < first ? 2 : axis;
         first = wait[2] < first ? wait[2] : first;
-        exit_[static_cast<std::size_t>(ball)] = axis;
+        bins_.note(ball, axis);
         return now + static_cast<Real>(first);
     }
 
@@ -124,10 +123,7 @@ public:
     }
 
     /// Hints to the memory: a ball's own entries, and what `candidates` and `refresh` will read.
-    void fetch(std::int32_t ball) const {
-        bins_.fetch(ball);
-        prefetch(exit_.data() + ball);
-    }
+    void fetch(std::int32_t ball) const { bins_.fetch(ball); }
     void fetch_candidates(std::vector<Ball<Real>> const&, std::int32_t ball) const {
         bins_.fetch_around(bins_.cell_of(ball));
     }
@@ -137,7 +133,7 @@ public:
         bins_.fetch_beyond(crossing.to, crossing.axis, crossing.direction);
     }
 
-    std::size_t bytes() const { return bins_.bytes() + exit_.capacity() + found_.bytes(); }
+    std::size_t bytes() const { return bins_.bytes() + found_.bytes(); }
 
 private:
     // Fewer make crossings, more make candidates. Measured against 1: as fast at packing fraction
@@ -150,7 +146,7 @@ private:
         CellBins::Cell to;
     };
     Crossing crossing_of(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        std::size_t const axis = exit_[static_cast<std::size_t>(ball)];
+        auto const axis = static_cast<std::size_t>(bins_.cell_of(ball)[3]);
         Real const v = balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(axis)];
         Crossing crossing{axis, v > 0 ? 1 : -1, bins_.cell_of(ball)};
         crossing.to[axis] = bins_.next(crossing.to[axis], crossing.direction);
@@ -174,9 +170,9 @@ private:
     /// Whether a ball has many candidates, as a sample of them tells.
     bool crowded() {
         constexpr std::size_t sample = 256, many = 100;
-        std::size_t const step = std::max<std::size_t>(1, exit_.size() / sample);
+        std::size_t const step = std::max<std::size_t>(1, bins_.ball_count() / sample);
         std::size_t seen = 0, asked = 0;
-        for (std::size_t ball = 0; ball < exit_.size(); ball += step, ++asked)
+        for (std::size_t ball = 0; ball < bins_.ball_count(); ball += step, ++asked)
             seen += candidates(static_cast<std::int32_t>(ball)).size();
         return seen > many * asked;
     }
@@ -188,9 +184,8 @@ private:
 
     Container cube_;
     CellLattice<Real> lattice_;
-    CellBins bins_;
-    std::vector<std::uint8_t> exit_; // the axis along which the ball will leave its cell
-    std::int32_t coarsest_;          // cells across the cube
+    CellBins bins_;         // noted there: the axis along which a ball will leave its cell
+    std::int32_t coarsest_; // cells across the cube
     double origin_, cell_side_, side_, inverse_side_; // an index needs no more than double
     BallBuffer found_;                                // reused
 };

@@ -171,15 +171,17 @@ template <class Real, class Container> Checkpoint BallState<Real, Container>::ch
     kept.limbs = limb_count<Real>;
     kept.epoch_length = clock.length;
     kept.epoch = clock.epoch;
-    append_limbs(clock.offset, kept.offset);
-    kept.records.reserve(balls.size() * 7 * static_cast<std::size_t>(kept.limbs));
+    kept.offset.resize(static_cast<std::size_t>(kept.limbs));
+    write_limbs(clock.offset, kept.offset.data());
+    auto const numbers_a_ball = static_cast<std::size_t>(7 * kept.limbs);
+    kept.records.resize(balls.size() * numbers_a_ball);
     kept.images = Eigen::Matrix3Xi::Zero(3, count());
-    auto const index = by_number();
-    for (std::int32_t number = 0; number < count(); ++number) {
-        auto const i = static_cast<std::size_t>(index[static_cast<std::size_t>(number)]);
-        for (int d = 0; d < 3; ++d) append_limbs(balls[i].point[d], kept.records);
-        for (int d = 0; d < 3; ++d) append_limbs(balls[i].velocity[d], kept.records);
-        append_limbs(balls[i].time, kept.records);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        std::int32_t const number = numbers[i];
+        double* at = kept.records.data() + static_cast<std::size_t>(number) * numbers_a_ball;
+        for (int d = 0; d < 3; ++d) at = write_limbs(balls[i].point[d], at);
+        for (int d = 0; d < 3; ++d) at = write_limbs(balls[i].velocity[d], at);
+        write_limbs(balls[i].time, at);
         if constexpr (periodic) {
             for (int d = 0; d < 3; ++d)
                 kept.images(d, number) = images[i][static_cast<std::size_t>(d)];

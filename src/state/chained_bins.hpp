@@ -23,7 +23,7 @@ public:
 
     /// So many bins, all empty.
     void reset(std::size_t bins) {
-        reserve_large(blocks_, bins + bins / 8);
+        reserve_large(blocks_, bins + bins / 64);
         blocks_.assign(bins, Block{});
         free_ = end_of_chain;
     }

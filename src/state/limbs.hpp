@@ -7,13 +7,14 @@
 
 namespace clack {
 
-/// Appends limb_count<Real> doubles whose exact sum is x.
-template <class Real> void append_limbs(Real x, std::vector<double>& limbs) {
+/// Writes limb_count<Real> doubles whose exact sum is x, and returns where the next would stand.
+template <class Real> double* write_limbs(Real x, double* limbs) {
     for (int limb = 0; limb < limb_count<Real>; ++limb) {
         auto const rounded = static_cast<double>(x);
-        limbs.push_back(rounded);
+        *limbs++ = rounded;
         x -= static_cast<Real>(rounded);
     }
+    return limbs;
 }
 
 /// The number that starts at `position`, which moves on behind it. Smallest limbs are added first,

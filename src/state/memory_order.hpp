@@ -46,7 +46,8 @@ std::vector<std::int32_t> memory_order(std::vector<Ball<Real>> const& balls, Rea
     return order;
 }
 
-/// In place, one cycle of the permutation after another: a copy would be the largest thing in memory.
+/// In place, one cycle of the permutation after another: a copy would be the largest thing in
+/// memory.
 template <class Item>
 void reorder(std::vector<Item>& items, std::vector<std::int32_t> const& order) {
     std::vector<bool> moved(items.size());

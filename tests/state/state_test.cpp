@@ -13,8 +13,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(limbs_add_up_to_the_number, Real, Reals) {
     for (int k = 0; k < 2000; ++k) {
         Real const x = static_cast<Real>(made_up::uniform(random, -1, 1)) / 3 *
                        static_cast<Real>(std::pow(10.0, made_up::uniform(random, -20, 20)));
-        std::vector<double> limbs;
-        append_limbs(x, limbs);
+        std::vector<double> limbs(static_cast<std::size_t>(limb_count<Real>));
+        write_limbs(x, limbs.data());
         std::size_t position = 0;
         BOOST_TEST_REQUIRE((take_limbs<Real>(limbs, position) == x));
         BOOST_TEST_REQUIRE(position == limbs.size());
