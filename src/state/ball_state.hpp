@@ -7,10 +7,12 @@
 #include "state/huge_pages.hpp"
 #include "state/limbs.hpp"
 #include "state/memory_order.hpp"
+#include "state/orderless_sum.hpp"
 #include "state/snapshot.hpp"
 #include "state/system.hpp"
 
 #include <array>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -191,15 +193,22 @@ template <class Real, class Container> Checkpoint BallState<Real, Container>::ch
     return kept;
 }
 
-/// Added in the order of the balls' numbers, so that the sum has the same bits in any memory order,
-/// and with Kahan's correction, so that a million balls add no drift of their own.
+/// The sum has the same bits in any memory order, and a million balls add no drift of their own.
 template <class Real, class Container> Real BallState<Real, Container>::kinetic_energy() const {
-    Real sum = 0, lost = 0;
-    for (std::int32_t const i : by_number()) {
-        Real const term = dot<Real>((*this)[i].velocity, (*this)[i].velocity) - lost;
-        Real const next = sum + term;
-        lost = (next - sum) - term;
-        sum = next;
+    Real sum = 0;
+    if constexpr (std::numeric_limits<Real>::digits <= std::numeric_limits<double>::digits) {
+        OrderlessSum exact;
+        for (auto const& ball : balls)
+            exact.add(static_cast<double>(dot<Real>(ball.velocity, ball.velocity)));
+        sum = static_cast<Real>(exact.value());
+    } else {
+        Real lost = 0; // Kahan's correction
+        for (std::int32_t const i : by_number()) {
+            Real const term = dot<Real>((*this)[i].velocity, (*this)[i].velocity) - lost;
+            Real const next = sum + term;
+            lost = (next - sum) - term;
+            sum = next;
+        }
     }
     return sum * static_cast<Real>(system.mass) / 2;
 }

@@ -5,6 +5,8 @@
 #include <boost/mpl/list.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+
 using namespace clack;
 using Reals = boost::mpl::list<float, double, long double, quad>;
 
@@ -18,6 +20,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(limbs_add_up_to_the_number, Real, Reals) {
         std::size_t position = 0;
         BOOST_TEST_REQUIRE((take_limbs<Real>(limbs, position) == x));
         BOOST_TEST_REQUIRE(position == limbs.size());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(orderless_sum_is_exact_but_for_one_rounding_in_any_order) {
+    std::mt19937_64 random(4);
+    std::vector<double> terms{0, 5e-324, 1e-310, 0x1p-1022, 1, 0x1p60};
+    for (int k = 0; k < 2000; ++k)
+        terms.push_back(made_up::uniform(random, 0, 1) *
+                        std::pow(10.0, made_up::uniform(random, -12, 12)));
+    auto const sum = [&] {
+        OrderlessSum total;
+        for (double const term : terms) total.add(term);
+        return total.value();
+    };
+    quad reference = 0;
+    for (double const term : terms) reference += term;
+    double const forwards = sum();
+    BOOST_TEST(std::abs(forwards / static_cast<double>(reference) - 1) <= 0x1p-52);
+    std::shuffle(terms.begin(), terms.end(), random);
+    BOOST_TEST(sum() == forwards);
+    terms = {5e-324, 5e-324};
+    BOOST_TEST(sum() == 1e-323);
+    for (double const bad : {-1.0, infinity<double>, std::nan("")}) {
+        terms = {1, bad};
+        BOOST_TEST(std::isnan(sum()));
     }
 }
 
