@@ -2,6 +2,7 @@
 // What a long run must keep: state points, one measurement, and the bounds of rounding.
 
 #include "simulation/epoch.hpp"
+#include "state/errors.hpp"
 #include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/options.hpp"
@@ -85,7 +86,10 @@ inline std::vector<Moment> measure(StatePoint const& point, std::uint64_t seed,
     std::vector<Moment> moments;
     for (double collisions = 1; collisions <= point.collisions_per_ball; collisions *= 2) {
         auto const goal = collisions * static_cast<double>(point.count) / 2;
-        engine->advance({.ball_collisions = static_cast<std::uint64_t>(goal)}, &walls);
+        if (engine->advance({.ball_collisions = static_cast<std::uint64_t>(goal)}, &walls) ==
+            Stop::never)
+            throw LawBroken(
+                fmt::format("no ball will collide any more at t = {:.17g}", engine->time()));
         double const change = (engine->momentum() - momentum).norm() / unit;
         moments.push_back({collisions, engine->kinetic_energy() / energy - 1,
                            point.boundary == Boundary::walls ? 0 : change,

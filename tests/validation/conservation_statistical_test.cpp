@@ -1,6 +1,6 @@
 #include "state/errors.hpp"
-#include "tests/validation/mutants.hpp"
 #include "validation/conservation.hpp"
+#include "validation/harness/mutants.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -32,23 +32,15 @@ BOOST_AUTO_TEST_CASE(true_engine_keeps_energy_momentum_and_distance) {
 }
 
 BOOST_AUTO_TEST_CASE(impulse_wrong_by_a_ten_thousandth_is_caught) {
-    EngineMaker const mutant = [](Scene const& scene) {
-        return mutants::make<PeriodicCube, mutants::WeakerImpulses>(scene);
-    };
-    BOOST_TEST(!keeps_to_rounding(mutant, Boundary::periodic));
+    BOOST_TEST(!keeps_to_rounding(with(Fault::stronger_impulses), Boundary::periodic));
 }
 
 BOOST_AUTO_TEST_CASE(walls_off_by_a_thousandth_are_caught) {
-    EngineMaker const mutant = [](Scene const& scene) {
-        return mutants::make<WalledCube, mutants::MovedWalls>(scene);
-    };
-    BOOST_TEST(!keeps_to_rounding(mutant, Boundary::walls));
+    BOOST_TEST(!keeps_to_rounding(with(Fault::moved_walls), Boundary::walls));
 }
 
 // A missed pair flies on through one another, and is met by the law that stops such a run.
 BOOST_AUTO_TEST_CASE(one_collision_missed_in_ten_thousand_is_caught) {
-    EngineMaker const mutant = [](Scene const& scene) {
-        return mutants::make<PeriodicCube, mutants::MissedCollisions>(scene);
-    };
-    BOOST_CHECK_THROW(keeps_to_rounding(mutant, Boundary::periodic), LawBroken);
+    BOOST_CHECK_THROW(keeps_to_rounding(with(Fault::missed_collisions), Boundary::periodic),
+                      LawBroken);
 }

@@ -3,7 +3,7 @@
 #include "validation/equation_of_state.hpp"
 
 #include "state/errors.hpp"
-#include "tests/validation/mutants.hpp"
+#include "validation/harness/mutants.hpp"
 #include "validation/harness/seeds.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -44,18 +44,13 @@ Verdict verdict_of(StatePoint const& point, std::vector<Measurement> const& repl
     return together(judgements);
 }
 
-std::unique_ptr<Engine> make_wider_balls(Scene const& scene) {
-    Scene wider = scene; // it must not start with overlaps
-    wider.system.diameter *= mutants::WiderBalls<double>::widening;
-    return mutants::make<PeriodicCube, mutants::WiderBalls>(scene.system, make_start(wider));
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(true_engine_passes_and_one_with_wider_balls_does_not) {
     StatePoint const point = point_at(0.3);
     BOOST_TEST((verdict_of(point, replicates_of(point, make_true_engine)) == Verdict::agrees));
-    BOOST_TEST((verdict_of(point, replicates_of(point, make_wider_balls)) == Verdict::differs));
+    BOOST_TEST(
+        (verdict_of(point, replicates_of(point, with(Fault::wider_balls))) == Verdict::differs));
 }
 
 BOOST_AUTO_TEST_CASE(temperature_of_n_instead_of_n_minus_1_balls_does_not_pass) {
@@ -74,10 +69,7 @@ BOOST_AUTO_TEST_CASE(lost_refresh_does_not_pass) {
     StatePoint const point = point_at(0.05);
     Verdict verdict = Verdict::undecided;
     try {
-        auto const make = [](Scene const& scene) {
-            return mutants::make<PeriodicCube, mutants::LostRefresh>(scene);
-        };
-        verdict = verdict_of(point, replicates_of(point, make));
+        verdict = verdict_of(point, replicates_of(point, with(Fault::lost_refresh)));
     } catch (LawBroken const& broken) {
         BOOST_TEST_MESSAGE(broken.what());
         verdict = Verdict::differs;

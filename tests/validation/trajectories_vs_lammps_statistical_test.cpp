@@ -4,8 +4,8 @@
 #include "validation/trajectories_vs_lammps.hpp"
 
 #include "tests/reference/needs_lammps.hpp"
-#include "tests/validation/mutants.hpp"
 #include "validation/collision_prefix.hpp"
+#include "validation/harness/mutant_models.hpp"
 
 #include <boost/test/unit_test.hpp>
 

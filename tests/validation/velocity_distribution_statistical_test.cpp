@@ -3,7 +3,7 @@
 #include "validation/velocity_distribution.hpp"
 #include "validation/velocity_relaxation.hpp"
 
-#include "tests/validation/mutants.hpp"
+#include "validation/harness/mutants.hpp"
 #include "validation/harness/seeds.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -57,10 +57,7 @@ BOOST_AUTO_TEST_CASE(true_engine_passes_and_another_law_does_not) {
 }
 
 BOOST_AUTO_TEST_CASE(impulses_wrong_by_a_ten_thousandth_do_not_pass) {
-    auto const make = [](Scene const& scene) {
-        return mutants::make<WalledCube, mutants::WeakerImpulses>(scene);
-    };
-    Findings const findings = findings_of(point_of(32), make);
+    Findings const findings = findings_of(point_of(32), with(Fault::weaker_impulses));
     BOOST_TEST((verdict_of(findings) == Verdict::differs));
 }
 

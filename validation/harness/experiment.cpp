@@ -1,6 +1,7 @@
 #include "validation/harness/experiment.hpp"
 
 #include "state/errors.hpp"
+#include "validation/harness/processor_time.hpp"
 #include "validation/harness/provenance.hpp"
 #include "validation/harness/write_file.hpp"
 
@@ -10,9 +11,23 @@
 
 namespace clack::validation {
 
+namespace {
+
+/// A law of nature that was broken is a verdict too.
+Verdict ask_or_break(Experiment& experiment, std::function<Verdict(Experiment&)> const& ask) {
+    try {
+        return ask(experiment);
+    } catch (LawBroken const& broken) {
+        std::cerr << fmt::format("{}: {}\n", experiment.stem(), broken.what());
+        return Verdict::differs;
+    }
+}
+
+} // namespace
+
 Experiment::Experiment(Question question, Options options)
     : question_(std::move(question)), options_(std::move(options)),
-      campaign_(question_.stem, options_.directory, program_hash()) {}
+      campaign_(question_.stem, options_.directory, program_hash(), options_.seed_set) {}
 
 std::vector<std::string> Experiment::header() const {
     std::vector<std::string> lines = provenance(question_.stem, question_.text, options_);
@@ -32,21 +47,34 @@ void Experiment::write_table(std::string const& tabular) const {
     write_file(options_.directory / (question_.stem + "_table.tex"), tabular);
 }
 
+void Experiment::conclude(Verdict const verdict) const {
+    auto const points = campaign_.state_points().size();
+    std::string const margin = question_.margin.substr(0, question_.margin.find_first_of(",:;"));
+    auto const worst = worst_z_judged();
+    double const seconds = processor_seconds_in_all() + campaign_.seconds_recalled();
+    Csv csv({"experiment", "state_points", "margin", "worst_z", "verdict", "processor_seconds"});
+    csv.row({question_.stem, cell(points), margin, worst ? cell(*worst) : "", name_of(verdict),
+             fmt::format("{:.1f}", seconds)});
+    write(csv, "_verdict");
+    write_file(options_.directory / (question_.stem + "_verdict.tex"),
+               fmt::format("\\texttt{{{}}} & {} & {} & {} & {} & {} \\\\\n", in_tex(question_.stem),
+                           points, in_tex(margin), worst ? significant(*worst, 2) : "--",
+                           name_of(verdict), significant(seconds, 2)));
+}
+
 int run(int const argc, char const* const* const argv, Question const& question,
         std::function<Verdict(Experiment&)> const& ask) {
     try {
         auto const options = parse_options(argc, argv, question.stem, question.text);
         if (!options) return 0;
         Experiment experiment(question, *options);
-        Verdict const verdict = ask(experiment);
+        Verdict const verdict = ask_or_break(experiment, ask);
+        experiment.conclude(verdict);
         std::cout << fmt::format("{}: {}\n", question.stem, name_of(verdict));
         return exit_code(verdict);
     } catch (InputError const& mistake) {
         std::cerr << fmt::format("{}: {}\n", question.stem, mistake.what());
         return 2;
-    } catch (LawBroken const& broken) {
-        std::cerr << fmt::format("{}: {}\n", question.stem, broken.what());
-        return exit_code(Verdict::differs);
     }
 }
 

@@ -18,7 +18,8 @@ namespace clack::validation {
 struct Question {
     std::string stem;   // the name of the experiment's source, data, plot script and figure
     std::string text;   // what is asked
-    std::string margin; // what difference would not matter, and why
+    std::string margin; // what difference would not matter; behind the first comma, colon or
+                        // semicolon why
 };
 
 /// The run of an experiment: its options, its memory, and where its results go.
@@ -26,6 +27,7 @@ class Experiment {
 public:
     Experiment(Question question, Options options);
 
+    std::string const& stem() const { return question_.stem; }
     Profile profile() const { return options_.profile; }
     Campaign& campaign() { return campaign_; }
 
@@ -35,6 +37,9 @@ public:
     void write(Macros const& macros) const;
     /// Writes directory/stem_table.tex, a tabular.
     void write_table(std::string const& tabular) const;
+    /// Writes directory/stem_verdict.csv, and the same as a row of the report's table of verdicts,
+    /// stem_verdict.tex: state points, margin, worst z, verdict, cost.
+    void conclude(Verdict verdict) const;
 
 private:
     std::vector<std::string> header() const;

@@ -46,6 +46,34 @@ std::string significant(double const value, int const digits) {
     return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - power));
 }
 
+std::string in_tex(std::string const& text) {
+    std::string tex;
+    for (char const c : text) {
+        switch (c) {
+        case '_':
+        case '%':
+        case '&':
+        case '#':
+        case '$':
+        case '{':
+        case '}':
+            (tex += '\\') += c;
+            break;
+        case '<':
+        case '>':
+        case '|':
+            ((tex += '$') += c) += '$';
+            break;
+        case '^':
+            tex += "\\textasciicircum{}";
+            break;
+        default:
+            tex += c;
+        }
+    }
+    return tex;
+}
+
 void Macros::define(std::string const& name, std::string const& text) {
     std::string const whole = prefix_ + name;
     if (whole.empty() || !std::all_of(whole.begin(), whole.end(), is_letter)) {

@@ -17,6 +17,10 @@ std::string with_error(Estimate const& estimate);
 /// $1.3 \times 10^{-5}$.
 std::string significant(double value, int digits);
 
+/// Plain text as TeX takes it: the characters that mean something there are escaped, and those that
+/// its text fonts lack are set as mathematics.
+std::string in_tex(std::string const& text);
+
 /// \newcommand macros, one a number that the report quotes.
 class Macros {
 public:

@@ -21,6 +21,9 @@ std::optional<Options> parse_options(int const argc, char const* const* const ar
         ->check(CLI::IsMember({"quick", "full"}))
         ->capture_default_str();
     app.add_option("-o,--output", directory, "directory for the results")->capture_default_str();
+    app.add_option("--seeds", options.seed_set, "which of many independent sets of seeds")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     try {
         app.parse(argc, argv);
     } catch (CLI::CallForHelp const&) {

@@ -3,6 +3,7 @@
 #include "validation/harness/many_tests.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,11 @@
 namespace clack::validation {
 
 namespace {
+
+std::optional<double> worst_z;
+constexpr double least_p = 1e-300; // of which there is still a deviate
+
+void note(double const z) { worst_z = std::max(std::abs(z), worst_z.value_or(0)); }
 
 /// z and the two p-values of one comparison alone.
 Judgement tested(Comparison const& comparison) {
@@ -57,6 +63,7 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
     std::vector<double> const adjusted = holm(p_values);
     for (std::size_t k = 0; k < judgements.size(); ++k) {
         Judgement& judgement = judgements[k];
+        note(judgement.z);
         judgement.p_differs = adjusted[k];
         if (judgement.p_differs < risks.false_alarm) {
             judgement.verdict = Verdict::differs;
@@ -70,12 +77,19 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
 std::vector<Verdict> judge(std::vector<GoodnessOfFit> const& tests, double const false_alarm) {
     std::vector<double> p_values;
     p_values.reserve(tests.size());
-    for (GoodnessOfFit const& test : tests) p_values.push_back(test.p_value);
+    for (GoodnessOfFit const& test : tests) {
+        p_values.push_back(test.p_value);
+        note(gsl_cdf_ugaussian_Qinv(std::max(test.p_value, least_p) / 2));
+    }
     std::vector<Verdict> verdicts;
     for (double const p : holm(p_values))
         verdicts.push_back(p < false_alarm ? Verdict::differs : Verdict::agrees);
     return verdicts;
 }
+
+std::optional<double> worst_z_judged() { return worst_z; }
+
+void forget_judged() { worst_z.reset(); }
 
 Verdict together(std::vector<Verdict> const& verdicts) {
     auto const any = [&](Verdict const verdict) {

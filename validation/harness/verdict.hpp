@@ -4,6 +4,7 @@
 #include "validation/harness/interval.hpp"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,12 @@ struct GoodnessOfFit {
 /// `agrees`: what that is worth depends on a companion Comparison, whose margin says how far off a
 /// law would be seen.
 std::vector<Verdict> judge(std::vector<GoodnessOfFit> const& tests, double false_alarm);
+
+/// The largest |z| that this program has judged so far, a p-value being worth the normal deviate
+/// that is as rare: for the summary that each experiment leaves. Nothing before the first.
+std::optional<double> worst_z_judged();
+/// Begins again, for a program that judges what it knows to be wrong.
+void forget_judged();
 
 /// The verdict on several together: `differs` if one does, else `undecided` if one is, else
 /// `agrees`.
