@@ -92,10 +92,14 @@ Macros macros_of(std::vector<Run> const& runs, Verdict const verdict) {
 Verdict ask(Experiment& experiment) {
     std::vector<Run> runs;
     std::vector<Verdict> verdicts;
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const replicates = experiment.campaign().replicates(
-            point.text(), 1, [&](std::uint64_t const seed) { return flat(measure(point, seed)); });
-        runs.push_back({point, point.scene(0).system, unflat(replicates.front())});
+    auto const points = state_points(experiment.profile());
+    auto const replicates = experiment.campaign().replicates(
+        tasks_of(points, [](StatePoint const& point, std::uint64_t const seed) {
+            return flat(measure(point, seed));
+        }));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        StatePoint const& point = points[k];
+        runs.push_back({point, point.scene(0).system, unflat(replicates[k].front())});
         Run const& run = runs.back();
         verdicts.push_back(run.verdict());
         Moment const& last = run.moments.back();

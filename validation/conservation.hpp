@@ -20,6 +20,7 @@ struct StatePoint {
     double packing_fraction;
     std::int64_t count;
     double collisions_per_ball;
+    static constexpr int replicates = 1;
 
     char const* boundary_name() const { return boundary == Boundary::walls ? "walls" : "periodic"; }
     std::string text() const {

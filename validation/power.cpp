@@ -39,17 +39,10 @@ Measurement measure_or_stop(Trial const& trial, std::uint64_t const seed) {
     }
 }
 
-Row put_to_the_test(Experiment& experiment, Trial const& trial) {
-    std::string const point =
-        fmt::format("{}: {}: {}", trial.mutant, trial.experiment, trial.state_point);
-    auto const replicates =
-        experiment.campaign().replicates(point, trial.replicates, [&](std::uint64_t const seed) {
-            return measure_or_stop(trial, seed);
-        });
+Row judged(Trial const& trial, std::vector<Measurement> const& replicates, double const seconds) {
     bool const stopped = std::any_of(replicates.begin(), replicates.end(),
                                      [](Measurement const& values) { return values.empty(); });
-    return {trial, stopped ? Finding{Verdict::differs} : trial.judge(replicates),
-            experiment.campaign().seconds(point), stopped};
+    return {trial, stopped ? Finding{Verdict::differs} : trial.judge(replicates), seconds, stopped};
 }
 
 Csv csv_of(std::vector<Row> const& rows) {
@@ -75,8 +68,13 @@ std::string table_of(std::vector<Row> const& rows) {
 Verdict ask(Experiment& experiment) {
     std::vector<Row> rows;
     std::size_t caught = 0, stopped = 0;
-    for (Trial const& trial : trials()) {
-        Row const row = put_to_the_test(experiment, trial);
+    auto const all = trials();
+    auto const tasks = tasks_of(all, measure_or_stop);
+    auto const replicates = experiment.campaign().replicates(tasks);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        Trial const& trial = all[k];
+        double const seconds = experiment.campaign().seconds(tasks[k].state_point);
+        Row const row = judged(trial, replicates[k], seconds);
         std::cout << fmt::format("{:40} {:22} z = {:8} {:6.2f} s  {}\n", trial.mutant,
                                  trial.experiment, row.stopped ? "stopped" : row.z(), row.seconds,
                                  name_of(row.finding.verdict));

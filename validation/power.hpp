@@ -30,6 +30,8 @@ struct Trial {
     int replicates;
     Measure measure;
     std::function<Finding(std::vector<Measurement> const&)> judge;
+
+    std::string text() const { return fmt::format("{}: {}: {}", mutant, experiment, state_point); }
 };
 
 /// A run of `conservation`: how much of the bounds of rounding is used up, most of all. Each bound

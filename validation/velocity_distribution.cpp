@@ -21,9 +21,8 @@ Question const question{
     "velocity_distribution",
     "Do balls that start with equal speeds in a cube with walls relax to the exact velocity law of "
     "finitely many balls at constant energy?",
-    "half the distance of <v^4>/<v^2>^2 from Maxwell and Boltzmann's 5/3, so that their law would "
-    "not pass for the exact one; probability of a false alarm 1 % over all moments and 1 % over "
-    "all tests of fit"};
+    "half the distance of the fourth moment from Maxwell and Boltzmann's, so that their law would "
+    "not pass for the exact one"};
 
 /// A state point with all that was found out about it.
 struct Row {
@@ -40,14 +39,15 @@ std::vector<Row> measured(Experiment& experiment) {
     std::vector<Row> rows;
     std::vector<Findings> all;
     std::vector<Comparison> moments;
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const replicates = experiment.campaign().replicates(
-            point.text(), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed); });
-        all.push_back(find(point, replicates));
+    auto const points = state_points(experiment.profile());
+    auto const replicates = experiment.campaign().replicates(tasks_of(
+        points, [](StatePoint const& point, std::uint64_t seed) { return measure(point, seed); }));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        StatePoint const& point = points[k];
+        all.push_back(find(point, replicates[k]));
         moments.push_back(all.back().fourth_moment);
         rows.push_back({point, all.back(), {}, {}, 0, 0});
-        for (Measurement const& measurement : replicates) {
+        for (Measurement const& measurement : replicates[k]) {
             rows.back().spacing += Sample(measurement).spacing / point.replicates;
             rows.back().inefficiency += Sample(measurement).inefficiency / point.replicates;
         }

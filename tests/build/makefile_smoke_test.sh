@@ -25,6 +25,10 @@ run() { # run [ARGUMENT...]: the exit code in $status, what was printed in outpu
 experiment() { # experiment STEM [COMMAND]: notes that it ran, writes its data
   cat > "validation/$1.cpp" <<SCRIPT
 #!/usr/bin/env bash
+case "\$5" in
+  --list) cat $1.points 2> /dev/null; exit ;;
+  --point) echo $1.\$6 >> runs.txt; [ ! -e $1.broken.\$6 ]; exit ;;
+esac
 echo $1 >> runs.txt
 echo 1 > "\$4/$1.csv"
 ${2:-exit 0}
@@ -99,6 +103,24 @@ run
 expect 'which is kept' ran
 run PROFILE=long
 expect 'an unknown profile is refused' says 'PROFILE = long: must be quick or full'
+
+printf 'hot\ncold\n' > two.points
+: > two.broken.2
+echo ': # changed again' >> validation/two.cpp
+run
+expect 'state points are measured by a process each' ran report two.1 two.2
+expect 'one that breaks off is named' says '^two: state point 2 broke off with exit code 1'
+expect 'and fails the whole' test "$status" != 0
+rm two.broken.2
+run LAUNCH='env LAUNCHED=yes'
+expect 'the next make goes on with them, and then judges' ran report two two.1 two.2
+expect 'to a good end' test "$status" = 0
+rm two.points
+printf '#!/usr/bin/env bash\necho launched >> runs.txt\nexec "$@"\n' > bin/launcher
+chmod +x bin/launcher
+rm build/data/two.csv
+run LAUNCH=launcher
+expect 'what LAUNCH names starts them' ran launched report two
 
 meet='touch there.$$; for _ in $(seq 50); do [ $(ls there.* | wc -l) = 2 ] && exit 0; sleep 0.1; done; exit 3'
 experiment one "$meet"

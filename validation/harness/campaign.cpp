@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iostream>
@@ -55,6 +56,17 @@ std::optional<Line> read(std::string const& text) {
     return line;
 }
 
+/// Files that processes of one state point each have left beside the campaign's own.
+std::vector<std::filesystem::path> parts_of(std::filesystem::path const& whole) {
+    std::vector<std::filesystem::path> parts;
+    std::string const start = whole.filename().string() + '.';
+    std::error_code none; // a folder that is not there has none
+    for (auto const& entry : std::filesystem::directory_iterator(whole.parent_path(), none))
+        if (entry.path().filename().string().starts_with(start)) parts.push_back(entry.path());
+    std::sort(parts.begin(), parts.end());
+    return parts;
+}
+
 std::string contents(std::filesystem::path const& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -63,28 +75,39 @@ std::string contents(std::filesystem::path const& path) {
 } // namespace
 
 Campaign::Campaign(std::string stem, std::filesystem::path const& directory,
-                   std::string const& program, int const seed_set)
+                   std::string const& program, int const seed_set, Share const share)
     : stem_(std::move(stem)),
-      seeded_by_(seed_set == 0 ? stem_ : fmt::format("{}#{}", stem_, seed_set)),
+      seeded_by_(seed_set == 0 ? stem_ : fmt::format("{}#{}", stem_, seed_set)), share_(share),
       path_(directory / (stem_ + ".replicates")) {
-    recall(fmt::format("# replicates of {}, program {}", seeded_by_, program));
+    std::string const header = fmt::format("# replicates of {}, program {}\n", seeded_by_, program);
+    std::string const whole = header + recall(path_, header);
+    // Files are written anew, so that the next line does not run on from one cut short, and moved
+    // into place, so that an interruption here loses nothing either.
+    if (share_.kind == Share::Kind::one_point) {
+        path_ += fmt::format(".{}", share_.point);
+        write_file(path_, header + recall(path_, header));
+    } else if (share_.kind == Share::Kind::all) {
+        auto const parts = parts_of(path_);
+        std::string gathered = whole;
+        for (auto const& part : parts) gathered += recall(part, header);
+        write_file(path_, gathered);
+        for (auto const& part : parts) std::filesystem::remove(part);
+    }
 }
 
-void Campaign::recall(std::string const& header) {
-    std::istringstream file(contents(path_));
-    std::string kept = header + '\n';
-    std::string text;
-    if (std::getline(file, text) && text == header) {
-        while (std::getline(file, text)) {
-            if (auto const line = read(text)) {
-                known_[{line->state_point, line->replicate}] = {line->values, line->seconds};
-                kept += text + '\n';
-            }
-        }
+/// Takes in the whole lines of a file that belongs to this campaign, and returns them.
+std::string Campaign::recall(std::filesystem::path const& path, std::string const& header) {
+    std::istringstream file(contents(path));
+    std::string kept, text;
+    if (!std::getline(file, text) || text + '\n' != header) return "";
+    while (std::getline(file, text)) {
+        auto const line = read(text);
+        if (!line) continue;
+        auto const [place, is_new] = known_.try_emplace({line->state_point, line->replicate},
+                                                        Replicate{line->values, line->seconds});
+        if (is_new) kept += text + '\n';
     }
-    // Written anew, so that the next line does not run on from one cut short, and moved into place,
-    // so that an interruption here loses nothing either.
-    write_file(path_, kept);
+    return kept;
 }
 
 void Campaign::append(std::string const& line) {
@@ -93,8 +116,32 @@ void Campaign::append(std::string const& line) {
     if (!file) throw InputError(fmt::format("{}: cannot be written", path_.string()));
 }
 
+std::vector<std::vector<Measurement>> Campaign::replicates(std::vector<Task> const& tasks) {
+    auto const number = static_cast<std::size_t>(share_.point);
+    if (share_.kind == Share::Kind::list) {
+        for (Task const& task : tasks) std::cout << task.state_point << '\n';
+        throw ShareDone{};
+    }
+    if (share_.kind == Share::Kind::one_point) {
+        if (number < 1 || number > tasks.size())
+            throw InputError(fmt::format("--point = {}: must be one of the {} that --list prints",
+                                         number, tasks.size()));
+        measured(tasks[number - 1]);
+        throw ShareDone{};
+    }
+    std::vector<std::vector<Measurement>> all;
+    for (Task const& task : tasks) all.push_back(measured(task));
+    return all;
+}
+
 std::vector<Measurement> Campaign::replicates(std::string const& state_point, int const count,
                                               Measure const& measure) {
+    if (share_.kind != Share::Kind::all) throw ShareDone{};
+    return measured({state_point, count, measure});
+}
+
+std::vector<Measurement> Campaign::measured(Task const& task) {
+    auto const& [state_point, count, measure] = task;
     asked_for_.push_back(state_point);
     int missing = 0;
     for (int replicate = 0; replicate < count; ++replicate)
@@ -130,6 +177,23 @@ double Campaign::seconds(std::string const& state_point) const {
     for (auto const& [key, replicate] : known_)
         if (key.first == state_point) sum += replicate.seconds;
     return sum;
+}
+
+Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const place) {
+    std::vector<double> values;
+    for (Measurement const& measurement : replicates) values.push_back(measurement.at(place));
+    return mean_of(values);
+}
+
+std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path) {
+    std::map<std::pair<std::string, int>, Measurement> in_order;
+    std::istringstream file(contents(path));
+    for (std::string text; std::getline(file, text);)
+        if (auto const line = read(text))
+            in_order[{line->state_point, line->replicate}] = line->values;
+    std::map<std::string, std::vector<Measurement>> all;
+    for (auto const& [key, values] : in_order) all[key.first].push_back(values);
+    return all;
 }
 
 std::string program_hash() { return fmt::format("{:016x}", hash_of(contents("/proc/self/exe"))); }

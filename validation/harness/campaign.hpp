@@ -1,6 +1,8 @@
 #pragma once
 // The memory of an experiment: replicates that are finished are never measured again.
 
+#include "validation/harness/interval.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -17,6 +19,37 @@ using Measurement = std::vector<double>;
 /// Measures one replicate from its seed.
 using Measure = std::function<Measurement(std::uint64_t seed)>;
 
+/// A state point that is to be measured.
+struct Task {
+    std::string state_point; // all that the measurement depends on, on one line without |
+    int replicates;
+    Measure measure;
+};
+
+/// The tasks of an experiment's state points: each has text() and replicates.
+///   measure   takes a point and a seed
+template <class StatePoint, class MeasurePoint>
+std::vector<Task> tasks_of(std::vector<StatePoint> const& points, MeasurePoint const& measure) {
+    std::vector<Task> tasks;
+    for (StatePoint const& point : points)
+        tasks.push_back({point.text(), point.replicates,
+                         [=](std::uint64_t const seed) { return measure(point, seed); }});
+    return tasks;
+}
+
+/// What part of a campaign this process does.
+struct Share {
+    enum class Kind {
+        all,      // everything that is missing
+        list,     // nothing: it prints the tasks
+        one_point // one of the tasks, for a process that collects what others have measured
+    } kind = Kind::all;
+    int point = 0; // from 1 on, of one_point
+};
+
+/// Thrown when this process has done its share, and another will judge.
+struct ShareDone {};
+
 /// Replicates of state points, kept in a file to which each is appended, flushed, as soon as it is
 /// finished: an interrupted campaign goes on where it stopped, losing at most the replicate it was
 /// at. The file belongs to one program: one that was built anew starts over.
@@ -27,14 +60,19 @@ public:
     ///   program     what the replicates depend on beside their state point: a hash of the
     ///               executable (program_hash)
     ///   seed_set    which of many independent sets of seeds: 0 is everybody's
+    ///   share       of one point: what it measures goes to a file of its own, which the next
+    ///               campaign that does all takes in, so that many may run at once
     /// A line that an interruption cut short is dropped. Throws InputError when the file cannot be
     /// written.
     Campaign(std::string stem, std::filesystem::path const& directory, std::string const& program,
-             int seed_set = 0);
+             int seed_set = 0, Share share = {});
+
+    /// The replicates of all tasks, in their order. Those that one process each measured are found
+    /// again. Throws ShareDone when the share is not all.
+    std::vector<std::vector<Measurement>> replicates(std::vector<Task> const& tasks);
 
     /// Replicates 0 .. count-1 of a state point, those that the file lacks measured now.
-    ///   state_point   a text that says all that the measurement depends on, on one line without
-    ///                 the character |
+    /// Not to be shared out: throws ShareDone when the share is not all.
     std::vector<Measurement> replicates(std::string const& state_point, int count,
                                         Measure const& measure);
 
@@ -56,17 +94,25 @@ private:
         double seconds;
     };
 
-    void recall(std::string const& header);
+    std::string recall(std::filesystem::path const& path, std::string const& header);
+    std::vector<Measurement> measured(Task const& task);
     void append(std::string const& line);
 
     std::string stem_;
     std::string seeded_by_; // the first part of what seeds are hashed from
+    Share share_;
     std::filesystem::path path_;
     std::map<std::pair<std::string, int>, Replicate> known_;
     std::vector<std::string> asked_for_;
     int measured_count_ = 0;
     double seconds_recalled_ = 0;
 };
+
+/// Mean over replicates of one of the values that each measured.
+Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t place);
+
+/// The replicates in a campaign's file, by state point, in the order of their numbers.
+std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path);
 
 /// A hash of the executable that is running, in hexadecimal.
 std::string program_hash();

@@ -27,7 +27,8 @@ Verdict ask_or_break(Experiment& experiment, std::function<Verdict(Experiment&)>
 
 Experiment::Experiment(Question question, Options options)
     : question_(std::move(question)), options_(std::move(options)),
-      campaign_(question_.stem, options_.directory, program_hash(), options_.seed_set) {}
+      campaign_(question_.stem, options_.directory, program_hash(), options_.seed_set,
+                options_.share) {}
 
 std::vector<std::string> Experiment::header() const {
     std::vector<std::string> lines = provenance(question_.stem, question_.text, options_);
@@ -72,6 +73,8 @@ int run(int const argc, char const* const* const argv, Question const& question,
         experiment.conclude(verdict);
         std::cout << fmt::format("{}: {}\n", question.stem, name_of(verdict));
         return exit_code(verdict);
+    } catch (ShareDone const&) {
+        return 0;
     } catch (InputError const& mistake) {
         std::cerr << fmt::format("{}: {}\n", question.stem, mistake.what());
         return 2;

@@ -99,6 +99,38 @@ BOOST_AUTO_TEST_CASE(state_points_have_their_own_replicates) {
     BOOST_TEST(counted.calls == 4);
 }
 
+BOOST_AUTO_TEST_CASE(state_points_measured_by_a_process_each_are_collected) {
+    TemporaryDirectory const directory("campaign");
+    Counted counted;
+    std::vector<Task> const tasks{{"x=1", 2, counted.measure}, {"x=2", 3, counted.measure}};
+    auto const campaign = [&](Share const share) {
+        return Campaign("demo", directory.path, "p1", 0, share);
+    };
+    for (int const number : {2, 1})
+        BOOST_CHECK_THROW(campaign({Share::Kind::one_point, number}).replicates(tasks), ShareDone);
+    BOOST_TEST(counted.calls == 5);
+    BOOST_CHECK_THROW(campaign({Share::Kind::one_point, 2}).replicates(tasks), ShareDone);
+    BOOST_CHECK_THROW(campaign({Share::Kind::list}).replicates(tasks), ShareDone);
+    BOOST_CHECK_THROW(campaign({Share::Kind::one_point, 3}).replicates(tasks), InputError);
+    auto const collected = campaign({}).replicates(tasks);
+    BOOST_TEST(counted.calls == 5); // nothing is measured twice
+    BOOST_TEST(collected[1][2][0] == static_cast<double>(seed_of("demo", "x=2", 2)) / 3);
+    BOOST_TEST(!std::filesystem::exists(directory.path / "demo.replicates.1"));
+    campaign({}).replicates(tasks);
+    BOOST_TEST(counted.calls == 5);
+}
+
+BOOST_AUTO_TEST_CASE(other_seed_sets_have_other_seeds_and_replicates) {
+    TemporaryDirectory const directory("campaign");
+    Counted counted;
+    auto const first =
+        Campaign("demo", directory.path, "p1", 1).replicates(point, 2, counted.measure);
+    auto const other =
+        Campaign("demo", directory.path, "p1", 2).replicates(point, 2, counted.measure);
+    BOOST_TEST(counted.calls == 4);
+    BOOST_TEST(first[0][0] != other[0][0]);
+}
+
 BOOST_AUTO_TEST_CASE(values_that_are_no_numbers_come_back) {
     TemporaryDirectory const directory("campaign");
     auto const odd = [](std::uint64_t) { return Measurement{INFINITY, NAN}; };
