@@ -22,13 +22,13 @@ Question const question{
     "Does the pressure of a periodic fluid of hard balls, by virial and by collision rate, obey "
     "the modified Kolafa-Labik-Malijevsky equation of state with its 1/N term?",
     "0.2 % of the collisional part Zc (full profile 0.1 %): two thirds (one third) of what a "
-    "diameter wrong by 0.1 % does where it does least; probability of a false alarm 1 % over all "
-    "points"};
+    "diameter wrong by 0.1 % does where it does least"};
 
 /// A state point with all that was found out about it.
 struct Row {
     StatePoint point;
     Comparison virial, rate;
+    double error_by_blocking; // of the virial's, beside the one over replicates
     Judgement virial_judged, rate_judged;
 
     double theory() const { return reference::modified_klm(point.packing_fraction); }
@@ -50,13 +50,14 @@ std::vector<Row> measured(Experiment& experiment) {
     std::vector<Row> rows;
     std::vector<Comparison> comparisons;
     double const relative_margin = margin(experiment.profile());
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const replicates = experiment.campaign().replicates(
-            point.text(), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed); });
-        rows.push_back({point,
-                        compare(point, replicates, by_virial, relative_margin),
-                        compare(point, replicates, by_rate, relative_margin),
+    auto const points = state_points(experiment.profile());
+    auto const replicates = experiment.campaign().replicates(tasks_of(
+        points, [](StatePoint const& point, std::uint64_t seed) { return measure(point, seed); }));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        rows.push_back({points[k],
+                        compare(points[k], replicates[k], by_virial, relative_margin),
+                        compare(points[k], replicates[k], by_rate, relative_margin),
+                        error_by_blocking(replicates[k]),
                         {},
                         {}});
         comparisons.push_back(rows.back().virial);
@@ -74,7 +75,7 @@ Csv csv_of(std::vector<Row> const& rows) {
     Csv csv({"packing_fraction", "count", "number_density_per_diameter3", "replicates",
              "collisions", "Z_virial", "Z_virial_error", "Z_rate", "Z_rate_error", "Z_theory",
              "margin", "z_virial", "z_rate", "Z_infinite", "Z_infinite_error", "Z_infinite_theory",
-             "Z_infinite_carnahan_starling", "verdict"});
+             "Z_infinite_carnahan_starling", "verdict", "Z_virial_error_by_blocking"});
     for (Row const& row : rows)
         csv.row({cell(row.point.packing_fraction), cell(row.point.count),
                  cell(row.point.number_density()), cell(row.point.replicates),
@@ -84,7 +85,7 @@ Csv csv_of(std::vector<Row> const& rows) {
                  cell(row.virial_judged.z), cell(row.rate_judged.z),
                  cell(row.compressibility().value), cell(row.compressibility().error),
                  cell(row.theory()), cell(reference::carnahan_starling(row.point.packing_fraction)),
-                 cell(name_of(row.verdict()))});
+                 cell(name_of(row.verdict())), cell(row.error_by_blocking)});
     return csv;
 }
 
@@ -112,9 +113,11 @@ std::string table_of(std::vector<Row> const& rows) {
 }
 
 Macros macros_of(std::vector<Row> const& rows, Profile const profile, Verdict const verdict) {
-    double collisions = 0, largest_z = 0, largest_deviation = 0;
+    double collisions = 0, largest_z = 0, largest_deviation = 0, squared_ratio = 0;
     for (Row const& row : rows) {
         collisions += row.collisions();
+        squared_ratio += std::pow(row.error_by_blocking / row.virial.measured.error, 2) /
+                         static_cast<double>(rows.size());
         for (auto const& [comparison, judgement] :
              {std::pair{row.virial, row.virial_judged}, {row.rate, row.rate_judged}}) {
             largest_z = std::max(largest_z, std::abs(judgement.z));
@@ -131,6 +134,7 @@ Macros macros_of(std::vector<Row> const& rows, Profile const profile, Verdict co
     macros.define("LargestZ", significant(largest_z, 2));
     macros.define("LargestDeviationPercent", significant(100 * largest_deviation, 2));
     macros.define("MarginPercent", significant(100 * margin(profile), 1));
+    macros.define("BlockingRatio", significant(std::sqrt(squared_ratio), 2));
     macros.define("FalseAlarmPercent", significant(100 * Risks{}.false_alarm, 1));
     macros.define("Verdict", name_of(verdict));
     return macros;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -60,8 +61,12 @@ constexpr double margin(Profile const profile) { return profile == Profile::quic
 /// Relative error of the theory's Z.
 constexpr double theory_error = 2e-5;
 
-/// What one replicate measures: the compressibility factor of N balls, in two ways.
-enum Value : std::size_t { by_virial, by_rate };
+/// What one replicate measures: the compressibility factor of N balls, in two ways, and the
+/// standard error of the first from this replicate alone, by blocking.
+enum Value : std::size_t { by_virial, by_rate, blocked_error };
+
+/// How often a replicate is looked at: enough for blocks of many lengths.
+constexpr int looks = 256;
 
 inline Scene scene_of(StatePoint const& point, std::uint64_t const seed) {
     Scene scene;
@@ -88,18 +93,29 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
     engine->advance({.time = point.equilibration / rate});
     engine->start_clock();
     double const time = point.production / rate;
-    engine->advance({.time = time});
-
-    Tallies const& tallies = engine->tallies();
     double const energy = engine->kinetic_energy();
+    Tallies const& tallies = engine->tallies();
+    std::vector<Sample> samples{{0, {}, energy}};
+    for (int look = 1; look <= looks; ++look) {
+        double const when = time * look / looks;
+        engine->advance({.time = when});
+        samples.push_back({when, tallies, energy});
+    }
     double const kt = temperature(system, energy, engine->momentum());
-    auto const factor =
-        compressibility_factor(system, kt, {{0, {}, energy}, {time, tallies, energy}});
+    auto const virial = compressibility_factor(system, kt, samples).virial.value();
     double const collisions_per_ball = 2 * static_cast<double>(tallies.ball_collisions) / count;
     double const thermal_rate =
         collisions_per_ball / time * system.diameter * std::sqrt(system.mass / kt);
-    return {factor.virial.value().value,
-            1 - 1 / count + reference::collisional_from_rate(thermal_rate, freedom)};
+    return {virial.value, 1 - 1 / count + reference::collisional_from_rate(thermal_rate, freedom),
+            virial.error.value_or(std::numeric_limits<double>::quiet_NaN())};
+}
+
+/// Standard error of the mean over all replicates, from what blocking says of each.
+inline double error_by_blocking(std::vector<Measurement> const& replicates) {
+    double squares = 0;
+    for (Measurement const& measurement : replicates)
+        squares += measurement[blocked_error] * measurement[blocked_error];
+    return std::sqrt(squares) / static_cast<double>(replicates.size());
 }
 
 /// One of the values of all replicates beside the theory's.

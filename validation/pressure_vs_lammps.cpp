@@ -23,7 +23,7 @@ Question const question{
     "hard balls and of theory once they are widened to a Barker-Henderson diameter of 1?",
     "1.5 % of the collisional part Zc (full profile 0.5 %): half (a third) of what softness does "
     "to "
-    "balls that are not widened, where it does least; probability of a false alarm 1 % over all"};
+    "balls that are not widened, where it does least"};
 
 /// A state point with all that was found out about it.
 struct Row {

@@ -23,14 +23,13 @@ Question const question{
     "Do soft elastic balls between walls, as LAMMPS moves them step by step, end where the "
     "engine's "
     "hard balls end, with an error that falls as the root of their stiffness?",
-    "over short segments, without the balls whose collisions follow one another within 1.5 contact "
-    "durations t_c: median distance 0.9 to 1.3 t_c and not more than 1 % of the balls beyond 5 "
-    "t_c, "
-    "one or two collisions setting a ball back by about v t_c / 2 each; slope of its logarithm "
+    "median distance 0.9 to 1.3 contact durations t_c; over short segments, without the balls "
+    "whose collisions follow one another within 1.5 t_c, not more than 1 % of the balls beyond 5 "
+    "t_c, one or two collisions setting a ball back by about v t_c / 2 each; slope of its "
+    "logarithm "
     "-0.50 "
     "+- 0.03; median after Richardson 1e-5 and from hard balls with a yielding diameter 1e-6, not "
-    "more than 1 % beyond 1e-5: of the order t_c^2; 90 % of the balls kept at the hardest; "
-    "probability of a false alarm 1 % over all"};
+    "more than 1 % beyond 1e-5: of the order t_c^2; 90 % of the balls kept at the hardest"};
 
 /// All comparisons with their judgements, and whose they are.
 struct Gates {
