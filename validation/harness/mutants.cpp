@@ -27,6 +27,16 @@ Made make_layers(Scene scene) {
     return make_engine(scene.system, scene.method, scene.precision, start);
 }
 
+/// What equilibrium forgives.
+Made make_unequal(Scene const& scene) {
+    Start start = make_start(scene);
+    double const energy = start.velocities.squaredNorm();
+    for (Eigen::Index k = 0; k < start.velocities.cols(); ++k)
+        start.velocities.col(k) *= k % 2 == 0 ? 1.05 : 0.95;
+    start.velocities *= std::sqrt(energy / start.velocities.squaredNorm());
+    return make_engine(scene.system, scene.method, scene.precision, start);
+}
+
 template <template <class> class Container, template <class> class Model,
           template <class, class> class Search = CellGrid>
 Made of(Scene const& scene) {
@@ -43,6 +53,8 @@ Made between_walls(Fault const fault, Scene const& scene) {
         return of<WalledCube, mutants::LossyWalls>(scene);
     case Fault::layered_start:
         return make_layers(scene);
+    case Fault::unequal_speeds:
+        return make_unequal(scene);
     default:
         throw std::invalid_argument("no such mutant between walls");
     }
@@ -108,6 +120,8 @@ char const* name_of(Fault const fault) {
         return "nearest image of the start only";
     case Fault::layered_start:
         return "start that never leaves two dimensions";
+    case Fault::unequal_speeds:
+        return "equal speeds apart by 10 % at the start";
     }
     return "";
 }

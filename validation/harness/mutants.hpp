@@ -18,7 +18,8 @@ enum class Fault {
     lossy_walls,        // of restitution 0.9999 (walls)
     lost_refresh,       // with cells (periodic)
     stale_images,       // with every pair, the nearest image of the start only (periodic)
-    layered_start       // velocities in two dimensions, and no way into the third (walls)
+    layered_start,      // velocities in two dimensions, and no way into the third (walls)
+    unequal_speeds      // every other ball 5 % faster at the start, the others slower (walls)
 };
 
 /// Starts scenes with a mutant; throws std::invalid_argument for a container that it is not made

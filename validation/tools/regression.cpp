@@ -1,0 +1,90 @@
+// Compares what the quick profile has measured with the committed baseline.
+
+#include "validation/harness/regression.hpp"
+#include "state/errors.hpp"
+#include "validation/harness/csv.hpp"
+#include "validation/harness/provenance.hpp"
+#include "validation/harness/write_file.hpp"
+#include <clack_build.hpp> // made by the build: CLACK_VERSION
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace clack::validation {
+
+namespace {
+
+struct Request {
+    std::string directory = "build/data", baseline = "validation/baseline.csv";
+    std::vector<std::string> stems;
+    bool renew = false;
+};
+
+constexpr std::size_t shown = 20; // rows on the terminal; the file has all
+
+int compare(Request const& request) {
+    std::vector<Known> now;
+    for (std::string const& stem : request.stems) {
+        auto const known = known_of(request.directory, stem, CLACK_VERSION);
+        now.insert(now.end(), known.begin(), known.end());
+    }
+    std::vector<Known> before;
+    if (!request.renew || std::filesystem::exists(request.baseline))
+        before = read_baseline(request.baseline);
+
+    auto const all = shifts(before, now);
+    if (all.empty() && !request.renew)
+        throw InputError(fmt::format("{}: holds nothing that {} has: the baseline is of the quick "
+                                     "profile; measure that first",
+                                     request.baseline, request.directory));
+    Csv csv({"experiment", "place", "before", "before_error", "now", "now_error", "z", "p_holm"});
+    std::size_t shifted = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        auto const& [old, fresh, z, p] = all[k];
+        shifted += p < regression_false_alarm;
+        csv.row({old.experiment, cell(old.place), cell(old.mean), cell(old.error), cell(fresh.mean),
+                 cell(fresh.error), cell(z), cell(p)});
+        if (k < shown && z != 0)
+            std::cout << fmt::format("z = {:+9.3g}  p = {:.1e}  {} {} [{}]: {:.8g} +- {:.2g}, was "
+                                     "{:.8g} +- {:.2g}\n",
+                                     z, p, old.experiment, old.state_point, old.place, fresh.mean,
+                                     fresh.error, old.mean, old.error);
+    }
+    write_file(std::filesystem::path(request.directory) / "regression.csv", csv.text({}));
+    std::cout << fmt::format("{} values compared, {} shifted; {} of the baseline's {} not measured "
+                             "now, {} new\n",
+                             all.size(), shifted, before.size() - all.size(), before.size(),
+                             now.size() - all.size());
+    if (request.renew) {
+        auto header = provenance("all that are judged by chance",
+                                 "has a change of the code shifted anything?", {});
+        header.pop_back(); // the seeds are the experiments'
+        write_baseline(request.baseline, now, header);
+        std::cout << fmt::format("{}: {} values written\n", request.baseline, now.size());
+        return 0;
+    }
+    return shifted > 0 ? 1 : 0;
+}
+
+} // namespace
+
+} // namespace clack::validation
+
+int main(int argc, char** argv) {
+    clack::validation::Request request;
+    CLI::App app("Has a change of the code shifted anything that the experiments measure?",
+                 "regression");
+    app.add_option("experiments", request.stems, "whose replicates are compared");
+    app.add_option("-o,--output", request.directory, "folder of the replicates");
+    app.add_option("--baseline", request.baseline, "what is compared with")->capture_default_str();
+    app.add_flag("--renew", request.renew, "make what is there now the baseline");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return clack::validation::compare(request);
+    } catch (clack::InputError const& mistake) {
+        std::cerr << fmt::format("regression: {}\n", mistake.what());
+        return 2;
+    }
+}
