@@ -164,5 +164,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

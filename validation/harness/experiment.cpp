@@ -64,10 +64,14 @@ void Experiment::conclude(Verdict const verdict) const {
 }
 
 int run(int const argc, char const* const* const argv, Question const& question,
-        std::function<Verdict(Experiment&)> const& ask) {
+        std::function<Verdict(Experiment&)> const& ask, Processes const processes) {
     try {
         auto const options = parse_options(argc, argv, question.stem, question.text);
         if (!options) return 0;
+        if (processes == Processes::one && options->share.kind != Share::Kind::all) {
+            if (options->share.kind == Share::Kind::list) return 0;
+            throw InputError("--point: this experiment cannot be shared out");
+        }
         Experiment experiment(question, *options);
         Verdict const verdict = ask_or_break(experiment, ask);
         experiment.conclude(verdict);

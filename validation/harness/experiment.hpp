@@ -49,10 +49,14 @@ private:
     Campaign campaign_;
 };
 
+/// Whether an experiment may be measured by many processes: it may when it hands its state points
+/// to the campaign as tasks, before it does anything else.
+enum class Processes { one, one_a_state_point };
+
 /// Runs an experiment as a program: reads the options, asks, prints the verdict.
 /// Returns the exit code: 0 agrees (or help was asked for), 1 differs or undecided, or a law of
 /// nature was broken; 2 the user's mistake.
 int run(int argc, char const* const* argv, Question const& question,
-        std::function<Verdict(Experiment&)> const& ask);
+        std::function<Verdict(Experiment&)> const& ask, Processes processes = Processes::one);
 
 } // namespace clack::validation

@@ -55,6 +55,13 @@ BOOST_AUTO_TEST_CASE(mistakes_on_the_command_line_are_the_users) {
     BOOST_TEST(run_with({"--help"}, never) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(experiment_that_is_not_shared_out_is_not_asked_for_a_share) {
+    TemporaryDirectory const directory("experiment");
+    BOOST_TEST(run_with({"-o", directory.path.c_str(), "--list"}, never) == 0);
+    BOOST_TEST(run_with({"-o", directory.path.c_str(), "--point", "1"}, never) == 2);
+    BOOST_TEST(run_with({"--list", "--point", "1"}, never) == 2);
+}
+
 BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
     TemporaryDirectory const directory("experiment");
     auto const ask = [](Experiment& experiment) {
@@ -79,4 +86,6 @@ BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
     BOOST_TEST(text_of(directory.path / "demo.tex").find("\\newcommand{\\DemoSum}{4}") !=
                std::string::npos);
     BOOST_TEST(text_of(directory.path / "demo_table.tex").starts_with("\\begin{tabular}"));
+    BOOST_TEST(text_of(directory.path / "demo_verdict.tex")
+                   .starts_with("\\texttt{demo} & 0 & none & -- & agrees & "));
 }

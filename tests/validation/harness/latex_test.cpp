@@ -47,3 +47,7 @@ BOOST_AUTO_TEST_CASE(csv_has_a_cell_for_each_column) {
     BOOST_CHECK_THROW(csv.row({cell(8)}), std::invalid_argument);
     BOOST_CHECK_THROW(csv.row({cell(8), cell(0.1), cell("a,b")}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_CASE(plain_text_is_escaped) {
+    BOOST_TEST(in_tex("0.2 % of Z_c < {1}") == "0.2 \\% of Z\\_c $<$ \\{1\\}");
+}

@@ -104,3 +104,13 @@ BOOST_AUTO_TEST_CASE(one_difference_spoils_all) {
     BOOST_TEST(exit_code(differs) == 1);
     BOOST_TEST(exit_code(undecided) == 1);
 }
+
+BOOST_AUTO_TEST_CASE(worst_of_all_that_was_judged_is_kept) {
+    forget_judged();
+    BOOST_TEST(!worst_z_judged().has_value());
+    judge({Comparison{"x", {7, 1}, 10, 0, 1}, Comparison{"y", {11, 1}, 10, 0, 1}});
+    BOOST_TEST(worst_z_judged().value() == 3);
+    judge({GoodnessOfFit{"a", 1e-9}}, 0.01); // rarer than three standard errors
+    BOOST_TEST(worst_z_judged().value() == 6.1, boost::test_tools::tolerance(0.01));
+    forget_judged();
+}
