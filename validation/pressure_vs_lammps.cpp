@@ -48,7 +48,7 @@ std::vector<Row> measured(Experiment& experiment) {
             {point, replicates, comparisons(point, replicates, margin(experiment.profile())), {}});
         all.insert(all.end(), rows.back().comparisons.begin(), rows.back().comparisons.end());
     }
-    auto const judgements = judge(all);
+    auto const judgements = judge(all, risks);
     auto judgement = judgements.cbegin();
     for (Row& row : rows) {
         auto const count = static_cast<std::ptrdiff_t>(row.comparisons.size());

@@ -69,7 +69,7 @@ Gates gates_of(std::vector<Measured> const& all) {
         for (Value const value : {plain_beyond, softened_beyond})
             gates.comparisons.push_back(beyond(some, value));
     }
-    gates.judgements = judge(gates.comparisons);
+    gates.judgements = judge(gates.comparisons, risks);
     return gates;
 }
 

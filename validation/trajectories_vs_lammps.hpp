@@ -62,6 +62,10 @@ inline std::vector<StatePoint> state_points(Profile const profile) {
     return points;
 }
 
+/// LAMMPS is dear and its replicates few: with five degrees of freedom Student's t would miss what
+/// must be caught if a false alarm were as rare as elsewhere.
+constexpr Risks risks{.false_alarm = 0.01};
+
 /// Collisions that follow one another within this many durations of a contact are left out.
 constexpr double mask_span = 1.5;
 

@@ -15,7 +15,7 @@ namespace {
 
 Verdict verdict_of(StatePoint const& point, std::vector<Measurement> const& replicates) {
     auto const gates = comparisons(point, replicates, margin(Profile::quick));
-    auto const judgements = judge(gates);
+    auto const judgements = judge(gates, risks);
     for (std::size_t k = 0; k < gates.size(); ++k)
         BOOST_TEST_MESSAGE(gates[k].name << ": " << gates[k].measured.value << " +- "
                                          << gates[k].measured.error << ": "

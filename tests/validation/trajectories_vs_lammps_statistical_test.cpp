@@ -59,8 +59,8 @@ Outcome outcome_with(Engines const& engines) {
     auto gates = comparisons(measured);
     for (Value const value : {plain_beyond, softened_beyond})
         gates.push_back(beyond({measured}, value));
-    Risks const risks{.false_alarm = Risks{}.false_alarm / static_cast<double>(points.size())};
-    auto const judgements = judge(gates, risks);
+    Risks const share{.false_alarm = risks.false_alarm / static_cast<double>(points.size())};
+    auto const judgements = judge(gates, share);
     Outcome outcome{together(judgements), {}};
     for (std::size_t k = 0; k < gates.size(); ++k) {
         BOOST_TEST_MESSAGE(gates[k].name << " = " << gates[k].measured.value << " +- "
