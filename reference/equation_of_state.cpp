@@ -77,6 +77,25 @@ Pressure modified_klm_pressure(double const number_density) {
                 number_density * (z.second * x_first * x_first + z.first * x_second)};
 }
 
+double schultz_fluid(double const packing_fraction) {
+    require_fitted_range(packing_fraction);
+    constexpr std::array low{2.094395102393195,     0.5483113556160761,   -0.04333676720888957,
+                             0.05751876349502738,   0.07502830097299396,  -0.014474727265714415,
+                             -0.003183349327605778, 0.017074836705042406, -0.0026047002163831975,
+                             -0.005498931252679095};
+    constexpr std::array high{6.960601433965988e-03, -2.263564675011192e-06, 5.464112392968496e-10,
+                              -3.004093460638223e-14};
+    double const rho = packing_fraction * 6 / std::numbers::pi;
+    double power = 1, sum = 0;
+    for (double const coefficient : low) sum += coefficient * (power *= rho);
+    power *= rho;
+    for (double const coefficient : high) {
+        sum += coefficient * power;
+        power *= std::pow(7123.0875, rho);
+    }
+    return std::exp(sum);
+}
+
 double carnahan_starling(double const packing_fraction) {
     if (!(packing_fraction >= 0 && packing_fraction < 1)) {
         throw std::invalid_argument(

@@ -28,6 +28,13 @@ double modified_klm(double packing_fraction);
 /// Range and errors as modified_klm.
 Pressure modified_klm_pressure(double number_density);
 
+/// Compressibility factor of the fluid by Schultz's fit of his own runs: an exponential of a
+/// polynomial in the density, whose low orders are the virial coefficients. Independent of
+/// modified_klm; range, error and refusals the same.
+/// Source: A. J. Schultz, HardSphereFluid.java of etomica (github etomica/etomica, commit
+/// acd32268).
+double schultz_fluid(double packing_fraction);
+
 /// Compressibility factor of Carnahan and Starling, (1 + eta + eta^2 - eta^3) / (1 - eta)^3.
 /// Low by up to 0.26 % in the fluid (at number density 0.8): a guide line, not a yardstick.
 /// Throws std::invalid_argument outside [0, 1).

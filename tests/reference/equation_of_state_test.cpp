@@ -1,3 +1,4 @@
+#include "reference/crystal.hpp"
 #include "reference/equation_of_state.hpp"
 #include "reference/published_table.hpp"
 
@@ -42,7 +43,8 @@ BOOST_AUTO_TEST_CASE(two_independent_fits_agree_within_the_stated_error) {
     for (std::size_t i = 0; i < table.row_count(); ++i) {
         double const rho = table.column("number_density")[i];
         if (rho > 1.0) continue; // beyond the stated range
-        double const schultz = table.column("Z_schultz")[i];
+        double const schultz = schultz_fluid(packing_fraction(rho));
+        BOOST_TEST(std::abs(schultz - table.column("Z_schultz")[i]) < 0.51e-7);
         BOOST_TEST(std::abs(modified_klm(packing_fraction(rho)) / schultz - 1) < 2e-5);
     }
 }
@@ -68,6 +70,24 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_pressure) {
         BOOST_TEST(std::abs((high.value - low.value) / (2 * h) / here.slope - 1) < 1e-6);
         BOOST_TEST(std::abs((high.slope - low.slope) / (2 * h) / here.curvature - 1) < 1e-6);
     }
+}
+
+BOOST_AUTO_TEST_CASE(crystal_has_the_tabulated_compressibility) {
+    auto const table = PublishedTable::of_reference("eos_crystal_values.csv");
+    BOOST_REQUIRE_EQUAL(table.row_count(), 13);
+    for (std::size_t i = 0; i < table.row_count(); ++i) {
+        double const rho = table.column("number_density")[i];
+        double const eta = packing_fraction(rho);
+        double const schultz = schultz_crystal(eta), speedy = speedy_crystal(eta);
+        BOOST_TEST(std::abs(schultz - table.column("Z_schultz")[i]) < 0.51e-5);
+        BOOST_TEST(std::abs(speedy - table.column("Z_speedy")[i]) < 0.51e-5);
+        BOOST_TEST(std::abs(schultz / speedy - 1) < (rho < 1.04 ? 6e-4 : 3e-4));
+        // 3 (N - 1) / N of the leading term
+        double const y = 1 - rho / std::numbers::sqrt2;
+        BOOST_TEST(std::abs(schultz - periodic_crystal(eta, 100) - 0.03 / y) < 1e-9);
+    }
+    BOOST_CHECK_THROW(schultz_crystal(close_packing_fraction()), std::invalid_argument);
+    BOOST_CHECK_THROW(speedy_crystal(0.5), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(theory_is_refused_outside_its_range) {

@@ -1,6 +1,7 @@
 #include "reference/walled_fluid.hpp"
 
 #include "reference/equation_of_state.hpp"
+#include "reference/published_table.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -33,7 +34,32 @@ BOOST_AUTO_TEST_CASE(a_large_cube_is_all_bulk) {
                         modified_klm(std::numbers::pi / 6 * density)) < 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(all_terms_together_are_what_another_code_measured) {
+    auto const table = PublishedTable::of_reference("walled_cube_md.csv");
+    BOOST_REQUIRE_EQUAL(table.row_count(), 5);
+    for (std::size_t i = 0; i < table.row_count(); ++i) {
+        WalledCubePressure const pressure =
+            walled_cube_pressure(table.column("side")[i], table.column("count")[i]);
+        double const measured = table.column("wall_pressure")[i];
+        BOOST_TEST(std::abs(pressure.total() / measured - 1) < 1e-3);
+        BOOST_TEST(std::abs(pressure.total() / table.column("expected")[i] - 1) < 1e-4);
+        // without the walls' own terms it would be 2.5 % off and more
+        BOOST_TEST(std::abs(pressure.bulk / measured - 1) > 0.025);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(dilute_gas_has_the_exact_terms_of_faces_and_edges) {
+    // gamma = -(pi / 8) rho^2, tau = rho^2 / 15 to the lowest order
+    double const l = 100, rho = 0.01;
+    WalledCubePressure const pressure = walled_cube_pressure(l + 1, rho * l * l * l);
+    double const square = pressure.bulk_density * pressure.bulk_density;
+    BOOST_TEST(std::abs(pressure.faces / (std::numbers::pi / 2 * square / l) - 1) < 0.1);
+    BOOST_TEST(std::abs(pressure.edges / (-4 * square / (15 * l * l)) - 1) < 0.15);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_fluid_is_refused) {
+    BOOST_CHECK_THROW(walled_cube_pressure(4, 20), std::invalid_argument);
+    BOOST_CHECK_THROW(walled_cube_pressure(10, 1000), std::invalid_argument);
     BOOST_CHECK_THROW(walled_compressibility(4, 20), std::invalid_argument);
     BOOST_CHECK_THROW(walled_compressibility(10, 1), std::invalid_argument);
     BOOST_CHECK_THROW(walled_compressibility(10, 1000), std::invalid_argument);
