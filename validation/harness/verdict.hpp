@@ -21,8 +21,8 @@ char const* name_of(Verdict verdict);
 /// One measured number beside the theory's. The margin, a difference that would not matter, and
 /// its reason are fixed before the data exist.
 struct Comparison {
-    std::string name;
-    Estimate measured;
+    std::string name = {};
+    Estimate measured = {};
     double reference = 0;
     double reference_error = 0;
     double margin = 0;
@@ -51,7 +51,7 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
 
 /// One test that can refuse a law but not confirm it.
 struct GoodnessOfFit {
-    std::string name;
+    std::string name = {};
     double p_value = 1;
 };
 

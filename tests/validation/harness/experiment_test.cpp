@@ -1,11 +1,15 @@
 #include "reference/published_table.hpp"
 #include "state/errors.hpp"
 #include "validation/harness/experiment.hpp"
+#include "validation/harness/findings.hpp"
 
 #include "tests/validation/harness/temporary_directory.hpp"
 
 #include <boost/test/unit_test.hpp>
 
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <vector>
 
 using namespace clack;
@@ -88,4 +92,32 @@ BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
     BOOST_TEST(text_of(directory.path / "demo_table.tex").starts_with("\\begin{tabular}"));
     BOOST_TEST(text_of(directory.path / "demo_verdict.tex")
                    .starts_with("\\texttt{demo} & 0 & none & -- & agrees & "));
+}
+
+BOOST_AUTO_TEST_CASE(findings_are_judged_together_and_left_behind) {
+    TemporaryDirectory const directory("experiment");
+    auto const concluded = [&](double const measured, Verdict const required) {
+        Experiment experiment(question, {Profile::quick, directory.path});
+        Findings findings("sum", "$s$");
+        findings.add(
+            {"four", "$4$", 2, {.measured = {4, 0.0078125}, .reference = 4, .margin = 0.125}});
+        findings.add({"five",
+                      "$5$",
+                      3,
+                      {.measured = {measured, 0.0078125}, .reference = 5, .margin = 0.125}});
+        findings.require(required);
+        return findings.conclude(experiment, "Demo");
+    };
+    BOOST_TEST((concluded(5.02, Verdict::agrees) == Verdict::agrees));
+    BOOST_TEST((concluded(5.125, Verdict::agrees) == Verdict::undecided));
+    BOOST_TEST((concluded(5.02, Verdict::differs) == Verdict::differs));
+    BOOST_TEST((concluded(5.25, Verdict::agrees) == Verdict::differs));
+    auto const text = [&](char const* name) {
+        std::ifstream file(directory.path / name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    BOOST_TEST(text("demo.csv").find("five,3,5.25,0.0078125,5,0,0.125,32,differs") !=
+               std::string::npos);
+    BOOST_TEST(text("demo.tex").find("\\DemoVerdict}{differs}") != std::string::npos);
+    BOOST_TEST(text("demo_table.tex").find("$5$ & 3 & $5.2500(78)$") != std::string::npos);
 }
