@@ -1,32 +1,51 @@
-# Compressibility factor of the fluid beside its equation of state, and the residuals in standard
-# errors. Carnahan and Starling's formula is a guide line.
-height = 7.2
+# Compressibility factor of the fluid beside its equation of state; three ways to it as parts of its
+# collisional part; and residuals in standard errors. Carnahan and Starling's formula is a guide
+# line.
+height = 9.4
 load 'paper/style.gp'
 
-points = data . '/equation_of_state.csv'
+results = data . '/equation_of_state.csv'
+points = data . '/equation_of_state_infinite.csv'
 theory = data . '/equation_of_state_theory.csv'
+only(quantity, y) = strcol(1) eq quantity ? y : NaN
 
 set multiplot
 set xrange [0:0.52]
 set xtics 0.1
 
-@main_panel
+set tmargin at screen 0.97
+set bmargin at screen 0.56
+set format x ''
 set yrange [0:13.9]
 set ytics 4
 set ylabel 'compressibility factor {/:Italic Z}'
 set key top left Left reverse
 plot theory using 1:2 with lines ls 1 title 'modified Kolafa–Labík–Malijevský', \
      theory using 1:3 with lines ls 3 title 'Carnahan–Starling', \
-     points using 1:14:15 with yerrorbars ls 2 pt 7 title 'clack'
+     points using 1:2:3 with yerrorbars ls 2 pt 7 title 'clack'
 
-@residual_panel
-set yrange [-9:5]
-set ytics -4, 4
+set tmargin at screen 0.53
+set bmargin at screen 0.34
+set yrange [-1.3:1.3]
+set ytics -1, 1
+set ylabel 'deviation, %'
+unset key
+plot 0 with lines ls 1, \
+     theory using 1:(100 * ($3 - $2) / ($2 - 1)) with lines ls 3, \
+     results using ($2 - 0.004):(only('virial', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 2 pt 7, \
+     results using 2:(only('rate', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 4 pt 6, \
+     results using ($2 + 0.004):(only('contact', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 5 pt 8
+
+set tmargin at screen 0.31
+set bmargin at screen 1.1 / height
+set format x '%h'
+set yrange [-8:4.5]
+set ytics -3, 3
 set ylabel 'residual, s.e.'
 set xlabel 'packing fraction ' . eta
-set key bottom left horizontal Left reverse samplen 1
+set key bottom left horizontal maxrows 1 Left reverse samplen 1
 plot 0 with lines ls 1, \
-     points using 1:(($17 - $16) / $15) with lines ls 3, \
-     points using ($1 - 0.002):12:(1) with yerrorbars ls 2 pt 7 title 'by virial', \
-     points using ($1 + 0.002):13:(1) with yerrorbars ls 4 pt 6 title 'by collision rate'
+     results using ($2 - 0.004):(only('virial', $8)):(1) with yerrorbars ls 2 pt 7 title 'virial', \
+     results using 2:(only('rate', $8)):(1) with yerrorbars ls 4 pt 6 title 'rate', \
+     results using ($2 + 0.004):(only('contact', $8)):(1) with yerrorbars ls 5 pt 8 title 'contact'
 unset multiplot

@@ -2,14 +2,8 @@
 
 #include "validation/equation_of_state.hpp"
 
-#include "validation/harness/experiment.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iostream>
-#include <numbers>
 
 namespace clack::validation {
 
@@ -19,143 +13,101 @@ using namespace equation_of_state;
 
 Question const question{
     "equation_of_state",
-    "Does the pressure of a periodic fluid of hard balls, by virial and by collision rate, obey "
-    "the modified Kolafa-Labik-Malijevsky equation of state with its 1/N term?",
+    "Does the pressure of a periodic fluid of hard balls, by virial, by collision rate and by the "
+    "contact value of g(r), obey the equations of state of Kolafa, Labik and Malijevsky (modified) "
+    "and of Schultz with the 1/N term, and do the three ways to it agree?",
     "0.2 % of the collisional part Zc (full profile 0.1 %): two thirds (one third) of what a "
-    "diameter wrong by 0.1 % does where it does least"};
+    "diameter wrong by 0.1 % does where it does least; for the contact value, which is "
+    "extrapolated, five times as much; probability of a false alarm 1 % over all comparisons"};
 
-/// A state point with all that was found out about it.
-struct Row {
-    StatePoint point;
-    Comparison virial, rate;
-    double error_by_blocking; // of the virial's, beside the one over replicates
-    Judgement virial_judged, rate_judged;
+constexpr std::size_t kinds = 6; // of comparisons at a point
 
-    double theory() const { return reference::modified_klm(point.packing_fraction); }
-    /// Measured compressibility factor of infinitely many balls: the theory's difference between
-    /// these and N is taken off.
-    Estimate compressibility() const {
-        return {theory() + virial.measured.value - virial.reference, virial.measured.error,
-                virial.measured.degrees_of_freedom};
-    }
-    double collisions() const {
-        return point.replicates * point.production * static_cast<double>(point.count) / 2;
-    }
-    Verdict verdict() const {
-        return together(std::vector{virial_judged.verdict, rate_judged.verdict});
-    }
-};
-
-std::vector<Row> measured(Experiment& experiment) {
-    std::vector<Row> rows;
-    std::vector<Comparison> comparisons;
-    double const relative_margin = margin(experiment.profile());
-    auto const points = state_points(experiment.profile());
-    auto const replicates = experiment.campaign().replicates(tasks_of(
-        points, [](StatePoint const& point, std::uint64_t seed) { return measure(point, seed); }));
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        rows.push_back({points[k],
-                        compare(points[k], replicates[k], by_virial, relative_margin),
-                        compare(points[k], replicates[k], by_rate, relative_margin),
-                        error_by_blocking(replicates[k]),
-                        {},
-                        {}});
-        comparisons.push_back(rows.back().virial);
-        comparisons.push_back(rows.back().rate);
-    }
-    auto const judgements = judge(comparisons);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].virial_judged = judgements[2 * k];
-        rows[k].rate_judged = judgements[2 * k + 1];
-    }
-    return rows;
+double collisions(StatePoint const& point) {
+    return point.replicates * point.run.production * static_cast<double>(point.run.count) / 2;
 }
 
-Csv csv_of(std::vector<Row> const& rows) {
-    Csv csv({"packing_fraction", "count", "number_density_per_diameter3", "replicates",
-             "collisions", "Z_virial", "Z_virial_error", "Z_rate", "Z_rate_error", "Z_theory",
-             "margin", "z_virial", "z_rate", "Z_infinite", "Z_infinite_error", "Z_infinite_theory",
-             "Z_infinite_carnahan_starling", "verdict", "Z_virial_error_by_blocking"});
-    for (Row const& row : rows)
-        csv.row({cell(row.point.packing_fraction), cell(row.point.count),
-                 cell(row.point.number_density()), cell(row.point.replicates),
-                 cell(row.collisions()), cell(row.virial.measured.value),
-                 cell(row.virial.measured.error), cell(row.rate.measured.value),
-                 cell(row.rate.measured.error), cell(row.virial.reference), cell(row.virial.margin),
-                 cell(row.virial_judged.z), cell(row.rate_judged.z),
-                 cell(row.compressibility().value), cell(row.compressibility().error),
-                 cell(row.theory()), cell(reference::carnahan_starling(row.point.packing_fraction)),
-                 cell(name_of(row.verdict())), cell(row.error_by_blocking)});
-    return csv;
+/// Measured compressibility factor of infinitely many balls: the theory's difference between these
+/// and N is taken off.
+Estimate infinite(Finding const& virial) {
+    Estimate estimate = virial.comparison.measured;
+    estimate.value += reference::modified_klm(virial.at) - virial.comparison.reference;
+    return estimate;
 }
 
-/// The theories as lines.
-Csv curves() {
-    Csv csv({"packing_fraction", "Z_theory", "Z_carnahan_starling"});
-    for (int percent = 0; percent <= 50; ++percent) {
-        double const eta = percent / 100.0;
-        csv.row({cell(eta), cell(reference::modified_klm(eta)),
-                 cell(reference::carnahan_starling(eta))});
-    }
-    return csv;
-}
-
-std::string table_of(std::vector<Row> const& rows) {
+std::string table_of(std::vector<StatePoint> const& points, std::vector<Finding> const& all) {
     std::vector<std::vector<std::string>> cells;
-    for (Row const& row : rows)
-        cells.push_back({fmt::format("{:.2f}", row.point.packing_fraction), cell(row.point.count),
-                         with_error(row.compressibility()), fmt::format("{:.5f}", row.theory()),
-                         fmt::format("${:+.1f}$", row.virial_judged.z),
-                         fmt::format("${:+.1f}$", row.rate_judged.z), name_of(row.verdict())});
-    return tabular("rrlrrrl",
-                   {"$\\eta$", "$n$", "$Z$", "$Z$ theory", "$z$ virial", "$z$ rate", "verdict"},
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        Finding const* const at = &all[kinds * k];
+        std::vector<Judgement> judgements;
+        for (std::size_t kind = 0; kind < kinds; ++kind) judgements.push_back(at[kind].judgement);
+        std::vector<std::string> row{fmt::format("{:.2f}", at->at), cell(points[k].run.count),
+                                     with_error(infinite(*at)),
+                                     fmt::format("{:.5f}", reference::modified_klm(at->at))};
+        for (std::size_t kind = 0; kind < 3; ++kind)
+            row.push_back(fmt::format("${:+.1f}$", judgements[kind].z));
+        row.emplace_back(name_of(together(judgements)));
+        cells.push_back(row);
+    }
+    return tabular("rrlrrrrl",
+                   {"$\\eta$", "$n$", "$Z$", "theory", "virial", "rate", "contact", "verdict"},
                    cells);
 }
 
-Macros macros_of(std::vector<Row> const& rows, Profile const profile, Verdict const verdict) {
-    double collisions = 0, largest_z = 0, largest_deviation = 0, squared_ratio = 0;
-    for (Row const& row : rows) {
-        collisions += row.collisions();
-        squared_ratio += std::pow(row.error_by_blocking / row.virial.measured.error, 2) /
-                         static_cast<double>(rows.size());
-        for (auto const& [comparison, judgement] :
-             {std::pair{row.virial, row.virial_judged}, {row.rate, row.rate_judged}}) {
-            largest_z = std::max(largest_z, std::abs(judgement.z));
-            largest_deviation = std::max(
-                largest_deviation, std::abs(comparison.measured.value / comparison.reference - 1));
-        }
+/// Points and theories for infinitely many balls, for the figure's upper panel.
+Csv curves() {
+    Csv csv({"packing_fraction", "Z_theory", "Z_carnahan_starling", "Z_schultz"});
+    for (int percent = 0; percent <= 50; ++percent) {
+        double const eta = percent / 100.0;
+        csv.row({cell(eta), cell(reference::modified_klm(eta)),
+                 cell(reference::carnahan_starling(eta)), cell(reference::schultz_fluid(eta))});
     }
-    Macros macros("EquationOfState");
-    macros.define("Profile", name_of(profile));
-    macros.define("Points", cell(rows.size()));
-    macros.define("Collisions", significant(collisions, 2));
-    macros.define("LowestPacking", fmt::format("{:.2f}", rows.front().point.packing_fraction));
-    macros.define("HighestPacking", fmt::format("{:.2f}", rows.back().point.packing_fraction));
-    macros.define("LargestZ", significant(largest_z, 2));
+    return csv;
+}
+
+Csv infinite_fluid(std::vector<Finding> const& all) {
+    Csv csv({"packing_fraction", "Z", "Z_error", "Z_theory", "Z_carnahan_starling"});
+    for (Finding const& finding : all)
+        if (finding.quantity == "virial")
+            csv.row({cell(finding.at), cell(infinite(finding).value), cell(infinite(finding).error),
+                     cell(reference::modified_klm(finding.at)),
+                     cell(reference::carnahan_starling(finding.at))});
+    return csv;
+}
+
+void define_macros(Macros& macros, std::vector<StatePoint> const& points,
+                   std::vector<Finding> const& all, Profile const profile) {
+    double count = 0, largest_deviation = 0;
+    for (StatePoint const& point : points) count += collisions(point);
+    for (Finding const& finding : all)
+        if (finding.quantity == "virial" || finding.quantity == "rate")
+            largest_deviation = std::max(
+                largest_deviation,
+                std::abs(finding.comparison.measured.value / finding.comparison.reference - 1));
+    macros.define("PackingFractions", cell(points.size()));
+    macros.define("Collisions", significant(count, 2));
+    macros.define("LowestPacking", fmt::format("{:.2f}", all.front().at));
+    macros.define("HighestPacking", fmt::format("{:.2f}", all.back().at));
     macros.define("LargestDeviationPercent", significant(100 * largest_deviation, 2));
     macros.define("MarginPercent", significant(100 * margin(profile), 1));
-    macros.define("BlockingRatio", significant(std::sqrt(squared_ratio), 2));
-    macros.define("FalseAlarmPercent", significant(100 * Risks{}.false_alarm, 1));
-    macros.define("Verdict", name_of(verdict));
-    return macros;
+    macros.define("ContactMarginPercent", significant(100 * contact_margin(profile), 1));
 }
 
 Verdict ask(Experiment& experiment) {
-    std::vector<Row> const rows = measured(experiment);
-    std::vector<Verdict> verdicts;
-    for (Row const& row : rows) {
-        verdicts.push_back(row.verdict());
-        std::cout << fmt::format("packing fraction {:.2f}, {:4} balls: Z = {:<12} theory {:8.5f}  "
-                                 "z = {:+.1f} (virial), {:+.1f} (rate)  {}\n",
-                                 row.point.packing_fraction, row.point.count,
-                                 with_error(row.compressibility()), row.theory(),
-                                 row.virial_judged.z, row.rate_judged.z, name_of(row.verdict()));
-    }
-    Verdict const verdict = together(verdicts);
-    experiment.write(csv_of(rows));
+    Profile const profile = experiment.profile();
+    auto const points = state_points(profile);
+    Findings findings("packing_fraction", "$\\eta$");
+    for (StatePoint const& point : points)
+        add_findings(findings, point,
+                     experiment.campaign().replicates(
+                         point.text(), point.replicates,
+                         [&](std::uint64_t const seed) { return measure(point, seed); }),
+                     profile);
+    Verdict const verdict = findings.conclude(experiment, "EquationOfState", [&](Macros& macros) {
+        define_macros(macros, points, findings.all(), profile);
+    });
     experiment.write(curves(), "_theory");
-    experiment.write(macros_of(rows, experiment.profile(), verdict));
-    experiment.write_table(table_of(rows));
+    experiment.write(infinite_fluid(findings.all()), "_infinite");
+    experiment.write_table(table_of(points, findings.all()));
     return verdict;
 }
 
@@ -164,6 +116,5 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
 }

@@ -1,0 +1,94 @@
+#pragma once
+// A run in a periodic cube and what its collisions say about the pressure, for the experiments on
+// the fluid's and the crystal's equation of state.
+
+#include "observables/pressure.hpp"
+#include "reference/crystal.hpp"
+#include "reference/equation_of_state.hpp"
+#include "reference/finite_size.hpp"
+#include "validation/harness/campaign.hpp"
+#include "validation/harness/engine_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+namespace clack::validation {
+
+/// Balls that start at random (a fluid) or on an fcc lattice (a crystal).
+struct PeriodicRun {
+    double packing_fraction;
+    std::int64_t count;
+    double equilibration; // collisions per ball before anything is counted
+    double production;    // collisions per ball that are counted
+    Arrangement arrangement = Arrangement::random;
+
+    double number_density() const { return packing_fraction * 6 / std::numbers::pi; }
+    std::string text() const {
+        return fmt::format("packing_fraction={} count={} equilibration={} production={} {}",
+                           packing_fraction, count, equilibration, production,
+                           arrangement == Arrangement::fcc ? "fcc" : "random");
+    }
+    Scene scene(std::uint64_t const seed) const {
+        Scene scene;
+        scene.system.boundary = Boundary::periodic;
+        scene.system.count = count;
+        scene.system.side = std::cbrt(static_cast<double>(count) / number_density());
+        scene.arrangement = arrangement;
+        scene.seed = seed;
+        return scene;
+    }
+    /// Collisions per ball and unit time, about: what turns collisions per ball into times.
+    double expected_rate() const {
+        double const z = arrangement == Arrangement::fcc
+                             ? reference::schultz_crystal(packing_fraction)
+                             : reference::carnahan_starling(packing_fraction);
+        return 6 * std::numbers::inv_sqrtpi * (z - 1);
+    }
+};
+
+/// Looks at the balls, so many times at equal intervals of a run's production, the last at its end.
+struct Looks {
+    int count = 0;
+    std::function<void(Snapshot const&)> look = {};
+};
+
+/// The compressibility factor of N balls from the virial of the collisions, as a run reports it,
+/// and from their number.
+struct CompressibilityTwice {
+    double by_virial, by_rate;
+};
+
+/// The spans of equilibration and of production are times that are fixed beforehand: one that ended
+/// with a collision would favour moments of many.
+inline CompressibilityTwice run_periodic(PeriodicRun const& run, Engine& engine,
+                                         Looks const& looks = {}) {
+    System const& system = engine.system();
+    auto const count = static_cast<double>(run.count);
+    engine.advance({.time = run.equilibration / run.expected_rate()});
+    engine.start_clock();
+    double const time = run.production / run.expected_rate();
+    for (int look = 1; look <= looks.count; ++look) {
+        engine.advance({.time = look * time / looks.count});
+        looks.look(engine.snapshot());
+    }
+    engine.advance({.time = time});
+
+    Tallies const& tallies = engine.tallies();
+    double const energy = engine.kinetic_energy();
+    double const kt = temperature(system, energy, engine.momentum());
+    auto const factor =
+        compressibility_factor(system, kt, {{0, {}, energy}, {time, tallies, energy}});
+    double const collisions_per_ball = 2 * static_cast<double>(tallies.ball_collisions) / count;
+    double const thermal_rate =
+        collisions_per_ball / time * system.diameter * std::sqrt(system.mass / kt);
+    return {factor.virial.value().value,
+            1 - 1 / count +
+                reference::collisional_from_rate(thermal_rate, system.degrees_of_freedom())};
+}
+
+} // namespace clack::validation
