@@ -38,7 +38,7 @@ set bmargin at screen 1.1 / height
 set format x '%h'
 set yrange [-7:5]
 set ytics -4, 4
-set ylabel 'residual, s.e.'
+set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'packing fraction ' . eta
 set key bottom left horizontal Left reverse samplen 1
 plot 0 with lines ls 1, \

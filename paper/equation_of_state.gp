@@ -28,7 +28,7 @@ set tmargin at screen 0.53
 set bmargin at screen 0.34
 set yrange [-1.3:1.3]
 set ytics -1, 1
-set ylabel 'deviation, %'
+set ylabel 'deviation, %' offset 0.3, 0
 unset key
 plot 0 with lines ls 1, \
      theory using 1:(100 * ($3 - $2) / ($2 - 1)) with lines ls 3, \
@@ -41,7 +41,7 @@ set bmargin at screen 1.1 / height
 set format x '%h'
 set yrange [-8:4.5]
 set ytics -3, 3
-set ylabel 'residual, s.e.'
+set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'packing fraction ' . eta
 set key bottom left horizontal maxrows 1 Left reverse samplen 1
 plot 0 with lines ls 1, \

@@ -26,7 +26,7 @@ plot theory using 1:4 with lines ls 9 title 'coexistence', \
 @residual_panel
 set yrange [-5:5]
 set ytics -4, 4
-set ylabel 'residual, s.e.'
+set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'number density ' . rho . ', 1/' . sigma . '^3'
 plot 0 with lines ls 1, \
      results using 2:(strcol(1) eq 'fluid' ? $8 : NaN):(1) with yerrorbars ls 2 pt 7, \

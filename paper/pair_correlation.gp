@@ -33,7 +33,7 @@ set bmargin at screen 0.47
 set format x '%h'
 set yrange [-0.14:0.14]
 set ytics 0.1
-set ylabel '{/:Italic g} – theory'
+set ylabel '{/:Italic g} – theory' offset 0.3, 0
 set xlabel 'distance {/:Italic r}, ' . sigma offset 0, 0.6
 unset key
 plot 0 with lines ls 1, \

@@ -24,7 +24,7 @@ plot points using (1 / $1):4 with lines ls 1 title 'law, 1/{/:Italic n}', \
 set format x '10^{%T}'
 set yrange [-5:8]
 set ytics -4, 4
-set ylabel 'residual, s.e.'
+set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel '1 / number of balls {/:Italic n}'
 plot 0 with lines ls 1, \
      points using (1 / $1):($6 == 1 ? ($2 - $4) / $3 : NaN):(1) with yerrorbars ls 2 pt 7, \

@@ -31,7 +31,7 @@ set xtics ('{/:Italic B}_2' 2, '{/:Italic B}_3' 3, '{/:Italic B}_4' 4)
 set format x '%g'
 set yrange [-4.5:4.5]
 set ytics -3, 3
-set ylabel 'residual, s.e.'
+set ylabel 'residual, s.e.' offset 0.3, 0
 unset xlabel
 plot 0 with lines ls 1, \
      results using 2:8:(1) with yerrorbars ls 2 pt 7

@@ -44,7 +44,7 @@ set bmargin at screen 1.1 / height
 set format x '%h'
 set yrange [-7:4.5]
 set ytics -3, 3
-set ylabel 'residual, s.e.'
+set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'overall density {/:Italic n}/{/:Italic L}^3, 1/' . sigma . '^3' offset 0, 0.6
 set key bottom left horizontal maxrows 1 Left reverse samplen 1
 plot 0 with lines ls 1, \
