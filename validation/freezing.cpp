@@ -15,8 +15,8 @@ Question const question{
     "Do the measured pressures of fluid and crystal follow their equations of state about "
     "coexistence, do their chemical potentials meet at its known pressure, and does a fluid beyond "
     "it not pass for the crystal?",
-    "0.3 % of Z, less than half of what a diameter wrong by 0.1 % does; 1 % of the pressure of "
-    "coexistence, more than twice what that much of Z in the fluid shifts it by; probability of a "
+    "0.4 % of Z, about half of what a diameter wrong by 0.1 % does; 1 % of the pressure of "
+    "coexistence, some twice what that much of Z in the fluid shifts it by; probability of a "
     "false alarm 1 % over all comparisons"};
 
 using All = std::vector<std::vector<Measurement>>;
