@@ -1,7 +1,9 @@
 #include "cli/commands.hpp"
 #include "cli/memory.hpp"
 #include "cli/schedule.hpp"
+#include "cli/summary.hpp"
 #include "io/trajectory_reader.hpp"
+#include "reference/horizon.hpp"
 #include "simulation/model_choice.hpp"
 #include "state/errors.hpp"
 
@@ -10,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <optional>
 
 namespace clack {
@@ -27,17 +28,6 @@ void print_system(System const& system) {
                      system.side));
     line("packing fraction", fmt::format("{:.6g}", system.packing_fraction()));
     line("number density", fmt::format("{:.6g} / length^3", system.number_density()));
-}
-
-/// Collisions of one ball in unit time as Enskog has it, with Carnahan and Starling's contact
-/// value; good to a few per cent in the fluid, a guide elsewhere.
-///   kt  [energy]
-double rough_collision_rate(System const& system, double kt) {
-    double const eta = std::min(system.packing_fraction(), 0.74);
-    double const contact_value = (1 - eta / 2) / ((1 - eta) * (1 - eta) * (1 - eta));
-    double const others = static_cast<double>(system.count - 1) / system.volume();
-    return 4 * std::sqrt(std::numbers::pi * kt / system.mass) * others * system.diameter *
-           system.diameter * contact_value;
 }
 
 /// kT of a scene that draws its velocities, else of those it lists; none where they are in a file.
@@ -76,7 +66,7 @@ std::optional<double> measured_speed(Scene const& scene) {
 void print_goal(Scene const& scene) {
     Schedule const schedule(scene);
     auto const kt = scene_temperature(scene);
-    double const rate = kt ? rough_collision_rate(scene.system, *kt) : 0;
+    double const rate = kt ? reference::rough_collision_rate(scene.system, *kt) : 0;
     double const half = static_cast<double>(scene.system.count) / 2;
     double const collisions =
         scene.time ? rate * half * *scene.time : static_cast<double>(schedule.end_collisions());
@@ -93,6 +83,8 @@ void print_goal(Scene const& scene) {
     if (rate > 0) {
         line("collision rate", fmt::format("about {:.3g} / (ball time): Enskog's theory", rate));
     }
+    if (auto const horizon = reference::horizon(scene.system, scene.precision, rate))
+        line("horizon", in_words(*horizon));
     if (auto const speed = measured_speed(scene); speed && *speed > 0) {
         double const all = static_cast<double>(schedule.equilibration()) + collisions;
         line("duration", fmt::format("about {} at {:.2g} collisions/s, as measured just now",
@@ -139,6 +131,19 @@ void print_rows(TrajectoryReader const& file) {
                                                           : "not stored");
 }
 
+/// As the file's head has it, but for the collision rate, which the run has meanwhile measured.
+std::optional<Horizon> horizon_of(TrajectoryReader const& file) {
+    auto horizon = file.header().horizon;
+    auto const& point = file.resume_point();
+    if (!horizon || point.phase == Phase::equilibrating || file.sample_count() < 2) return horizon;
+    auto const samples = file.samples(file.sample_count());
+    double const collisions = 2 * static_cast<double>(samples.back().tallies.ball_collisions) /
+                              static_cast<double>(file.header().system.count);
+    if (collisions >= 1)
+        horizon->time = horizon->collisions_per_ball * samples.back().time / collisions;
+    return horizon;
+}
+
 int trajectory_info(std::string const& path) {
     TrajectoryReader const file(path);
     auto const& header = file.header();
@@ -154,6 +159,7 @@ int trajectory_info(std::string const& path) {
     auto const& model = header.model;
     line("model", fmt::format("{}, {}, {} in {}", model.boundary, model.search, model.queue,
                               model.precision));
+    if (auto const horizon = horizon_of(file)) line("horizon", in_words(*horizon));
     auto const& provenance = header.provenance;
     line("written by", fmt::format("clack {} ({})", provenance.version, provenance.commit));
     line("compiled with", fmt::format("{}: {}", provenance.compiler, provenance.flags));

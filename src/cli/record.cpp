@@ -2,6 +2,7 @@
 
 #include "cli/interrupt.hpp"
 #include "io/file_errors.hpp"
+#include "reference/horizon.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,9 @@ TrajectoryHeader header_of(Scene const& scene, Engine const& engine) {
     header.epoch_length = checkpoint.epoch_length;
     header.seed = scene.seed;
     header.model = engine.model();
+    double const kt = temperature(engine.system(), engine.kinetic_energy(), engine.momentum());
+    header.horizon = reference::horizon(engine.system(), scene.precision,
+                                        reference::rough_collision_rate(engine.system(), kt));
     return header;
 }
 

@@ -45,6 +45,7 @@ std::string joined(std::string const& earlier, std::string const& now) {
 TrajectoryHeader resumed_header(TrajectoryHeader const& old, Scene const& scene,
                                 Engine const& engine) {
     auto header = header_of(scene, engine);
+    header.horizon = old.horizon;
     auto const join = [&](std::string Provenance::*text) {
         header.provenance.*text = joined(old.provenance.*text, header.provenance.*text);
     };

@@ -1,6 +1,7 @@
 #include "cli/summary.hpp"
 
 #include "io/provenance.hpp"
+#include "reference/horizon.hpp"
 #include "simulation/model_choice.hpp"
 
 #include <fmt/format.h>
@@ -27,9 +28,31 @@ std::string text_of(std::optional<Estimate> const& estimate) {
     return fmt::format("{:.6g} +- {:.2g}", estimate->value, *estimate->error);
 }
 
+Json json_of(std::optional<Horizon> const& horizon) {
+    if (!horizon) return nullptr;
+    return {{"error", horizon->error},
+            {"collisions_per_ball", horizon->collisions_per_ball},
+            {"time", horizon->time}};
+}
+
 std::string hexadecimal(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 } // namespace
+
+std::optional<Horizon> horizon_of(System const& system, Precision const precision, double const kt,
+                                  std::uint64_t const collisions, double const time) {
+    double const per_ball = 2 * static_cast<double>(collisions) / static_cast<double>(system.count);
+    bool const is_measured = per_ball >= 1 && time > 0;
+    return reference::horizon(system, precision,
+                              is_measured ? per_ball / time
+                                          : reference::rough_collision_rate(system, kt));
+}
+
+std::string in_words(Horizon const& horizon) {
+    return fmt::format("positions to {:g} diameters until t = {:.3g}, {:.3g} collisions a ball; "
+                       "beyond, statistics only",
+                       horizon.error, horizon.time, horizon.collisions_per_ball);
+}
 
 Summary summarize(Scene const& scene, Engine const& engine, std::vector<Sample> const& samples,
                   double cpu_seconds) {
@@ -58,6 +81,8 @@ Summary summarize(Scene const& scene, Engine const& engine, std::vector<Sample> 
         summary.energy_drift = engine.kinetic_energy() / samples.front().kinetic_energy - 1;
     }
     summary.deepest_overlap = tallies.deepest_overlap;
+    summary.horizon = horizon_of(system, scene.precision, summary.temperature,
+                                 tallies.ball_collisions, summary.time);
     summary.hash = engine.hash();
     summary.seed = scene.seed;
     return summary;
@@ -83,6 +108,7 @@ std::string as_text(Summary const& summary, ShowHash hash) {
     }
     line("energy drift", fmt::format("{:.2g}", summary.energy_drift));
     line("deepest overlap", fmt::format("{:.2g} diameters", summary.deepest_overlap));
+    line("horizon", summary.horizon ? in_words(*summary.horizon) : "not known for so few balls");
     if (hash == ShowHash::yes) line("hash", hexadecimal(summary.hash));
     return text;
 }
@@ -107,6 +133,7 @@ std::string as_json(Summary const& summary) {
               {"temperature", summary.temperature},
               {"energy_drift", summary.energy_drift},
               {"deepest_overlap", summary.deepest_overlap},
+              {"horizon", json_of(summary.horizon)},
               {"hash", hexadecimal(summary.hash)},
               {"seed", summary.seed},
               {"version", own_provenance().version}};

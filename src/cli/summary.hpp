@@ -1,6 +1,7 @@
 #pragma once
 // What a finished run says about itself, for people and as JSON.
 
+#include "observables/horizon.hpp"
 #include "observables/pressure.hpp"
 #include "scenes/scene.hpp"
 #include "simulation/engine.hpp"
@@ -24,13 +25,24 @@ struct Summary {
     double temperature = 0;
     double energy_drift = 0;    // relative to the energy at time 0
     double deepest_overlap = 0; // [diameters]
-    std::uint64_t hash = 0;     // of the collision sequence since time 0
+    std::optional<Horizon> horizon;
+    std::uint64_t hash = 0; // of the collision sequence since time 0
     std::uint64_t seed = 0;
 };
 
 /// From an engine at the end of its run, and the samples since time 0.
 Summary summarize(Scene const& scene, Engine const& engine, std::vector<Sample> const& samples,
                   double cpu_seconds);
+
+/// Until when positions hold; the time by the run's own collision rate once each ball has had a
+/// collision, by theory before.
+///   kt          [energy]
+///   collisions  between balls since time 0, in so much time
+std::optional<Horizon> horizon_of(System const& system, Precision precision, double kt,
+                                  std::uint64_t collisions, double time);
+
+/// In a sentence.
+std::string in_words(Horizon const& horizon);
 
 enum class ShowHash { no, yes };
 

@@ -40,6 +40,25 @@ auto provenance_texts(auto& header) {
                                   {"reason", &header.model.reason}}};
 }
 
+/// A group of its own with three numbers; files of earlier versions have none.
+void write_horizon(hdf5::Id const& parameters, Horizon const& horizon) {
+    auto const group = hdf5::create_group(parameters, "horizon");
+    hdf5::write_attribute(group, "position_error_in_diameters", horizon.error);
+    hdf5::write_attribute(group, "collisions_per_ball", horizon.collisions_per_ball);
+    hdf5::write_attribute(group, "time", horizon.time);
+    hdf5::write_attribute(group, "meaning",
+                          std::string("positions hold to this error until then; beyond, only "
+                                      "statistics hold"));
+}
+
+std::optional<Horizon> read_horizon(hdf5::Id const& parameters) {
+    if (!hdf5::exists(parameters, "horizon")) return std::nullopt;
+    auto const group = hdf5::open_group(parameters, "horizon");
+    return Horizon{hdf5::read_double_attribute(group, "position_error_in_diameters"),
+                   hdf5::read_double_attribute(group, "collisions_per_ball"),
+                   hdf5::read_double_attribute(group, "time")};
+}
+
 int format_of(hdf5::Id const& parameters) {
     if (!hdf5::has_attribute(parameters, "format")) return 0;
     auto const values = hdf5::read_int_attribute(parameters, "format");
@@ -76,6 +95,8 @@ void write_header(hdf5::Id const& file, TrajectoryHeader const& header) {
     hdf5::write_attribute(parameters, "epoch_length", header.epoch_length);
     hdf5::write_text(parameters, "scene", header.scene_text);
     hdf5::write_text(parameters, "scene_source", header.scene_source);
+
+    if (header.horizon) write_horizon(parameters, *header.horizon);
 
     auto const provenance = hdf5::create_group(parameters, "provenance");
     for (auto const& [name, text] : provenance_texts(header)) {
@@ -118,6 +139,7 @@ TrajectoryHeader read_header(hdf5::Id const& file, std::string const& path) {
     header.scene_text = hdf5::read_text(parameters, "scene");
     header.scene_source = hdf5::read_text(parameters, "scene_source");
     header.system = read_system(parameters, hdf5::open_group(file, "particles/balls"));
+    header.horizon = read_horizon(parameters);
     header.epoch_length = hdf5::read_double_attribute(parameters, "epoch_length");
     header.events = hdf5::exists(file, "events") ? Events::stored : Events::dropped;
     header.limbs =

@@ -3,11 +3,13 @@
 
 #include "io/hdf5.hpp"
 #include "io/provenance.hpp"
+#include "observables/horizon.hpp"
 #include "scenes/scene.hpp"
 #include "simulation/engine.hpp"
 #include "state/system.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace clack {
@@ -21,6 +23,7 @@ struct TrajectoryHeader {
     double epoch_length = 1; // of the clock: an event's time is epoch * epoch_length + offset
     std::uint64_t seed = 0;
     ModelDescription model;
+    std::optional<Horizon> horizon; // its time by theory: the file's head is written before the run
     Provenance provenance = own_provenance();
 };
 

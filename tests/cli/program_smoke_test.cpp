@@ -47,6 +47,9 @@ BOOST_AUTO_TEST_CASE(summary_has_every_key) {
         BOOST_TEST(std::abs(result.at("energy_drift").get<double>()) < 1e-13);
         BOOST_TEST(result.at("deepest_overlap") < 1e-12);
         BOOST_TEST(result.at("hash").get<std::string>().size() == 16u);
+        BOOST_TEST(result.at("horizon").at("error") == 0.01);
+        BOOST_TEST(result.at("horizon").at("collisions_per_ball") > 5);
+        BOOST_TEST(result.at("horizon").at("time") > 0);
         BOOST_TEST(result.at("seed") == 3);
         BOOST_TEST(result.at("version") == own_provenance().version);
         auto const& factor = result.at("compressibility_factor");
@@ -70,7 +73,7 @@ BOOST_AUTO_TEST_CASE(run_says_what_it_found_in_words) {
     BOOST_TEST(outcome.code == 0);
     BOOST_TEST(outcome.err.empty());
     for (std::string const word : {"collisions per CPU second", "Z by the virial", "Z by the walls",
-                                   "energy drift", "deepest overlap", "hash"}) {
+                                   "energy drift", "deepest overlap", "horizon", "hash"}) {
         BOOST_TEST(outcome.out.find(word) != std::string::npos, word);
     }
     BOOST_TEST(std::filesystem::exists("scene.h5")); // the scene's stem, in the current folder
