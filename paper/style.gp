@@ -15,7 +15,7 @@
 #     @residual_panel; plot ...
 #     unset multiplot
 
-width = 8.6                                # [cm] a revtex column
+if (!exists("width")) width = 8.6                              # [cm] a revtex column
 if (!exists("height")) height = 6.2        # [cm]
 if (!exists("data")) data = 'build/data'
 if (!exists("figure")) figure = 'figure.pdf'

@@ -39,6 +39,17 @@ inline QuadPlaces exact_places(Checkpoint const& checkpoint, System const& syste
     return places;
 }
 
+/// Twice the kinetic energy by unit mass, without a rounding of double's.
+inline quad exact_square_speed(Checkpoint const& checkpoint, System const& system) {
+    quad sum = 0;
+    for (Eigen::Index ball = 0; ball < system.count; ++ball)
+        for (int d = 3; d < 6; ++d) {
+            quad const v = record_number(checkpoint, ball, d);
+            sum += v * v;
+        }
+    return sum;
+}
+
 /// Distance between the places of each ball.  [length]
 inline std::vector<double> distances(QuadPlaces const& places, QuadPlaces const& others) {
     std::vector<double> all;

@@ -1,0 +1,27 @@
+# Error of the compressibility factor against processor time: the engine, frames and LAMMPS.
+height = 7.4
+load 'paper/style.gp'
+set datafile missing NaN
+
+file = data . '/cost_of_statistics.csv'
+# The knobs in the order of the rows.
+knobs(method) = system(sprintf("awk -F, '$1 == \"%s\" { print $2 }' %s | uniq", method, file))
+frames = knobs('frames')
+lammps = knobs('lammps')
+of(method, knob, y) = strcol(1) eq method && strcol(2) eq knob ? y : NaN
+stiffness(k) = sprintf('{/:Italic k} = %s', k)
+
+set logscale xy
+set format xy '10^{%T}'
+set xrange [2e-4:100]
+set yrange [1e-4:0.3]
+set xlabel 'processor time, s'
+set ylabel 'error of {/:Italic Z}, relative' offset 0.6, 0
+set key bottom right reverse Left samplen 3 font ',8'
+# The slope of -1/2 through the first point of the engine.
+anchor = system(sprintf("awk -F, '$1 == \"fast\" { print $4 * $5^2; exit }' %s", file)) + 0
+root(x) = x < 0.3 ? sqrt(anchor / x) : NaN
+plot root(x) with lines ls 9 title 'slope −1/2', \
+     file using 4:(of('fast', 'double', $5)) with linespoints ls 2 title 'fast', \
+     for [k = 1:words(frames)] file using 4:(of('frames', word(frames, k), $5)) with linespoints ls 4 pt 2 * k + 3 title 'frames, ' . word(frames, k), \
+     for [k = 1:words(lammps)] file using 4:(of('lammps', word(lammps, k), $5)) with linespoints ls 5 pt 2 * k + 3 title 'LAMMPS, ' . stiffness(word(lammps, k))
