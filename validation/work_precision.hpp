@@ -180,7 +180,7 @@ inline double cost(Scenery const& scenery, Method const method, Precision const 
     return seconds / std::max(collisions, 1.0);
 }
 
-/// A line's point of the chart.
+/// A line's point of the chart; -1 stands for what was not measured.
 struct Point {
     double cost = -1;                 // processor time by ball and mean free time  [s]
     double median = -1, largest = -1; // error of positions: median and 99 % quantile  [diameters]
