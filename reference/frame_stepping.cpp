@@ -14,11 +14,12 @@ namespace {
 constexpr std::int64_t nobody = -1;
 constexpr std::int64_t cells_min = 3; // with fewer, a cell would be its own neighbour twice
 
+/// One where the cube is too narrow for more.
 std::int64_t cells_along(System const& system) {
     auto const fit = static_cast<std::int64_t>(std::floor(system.side / system.diameter));
     auto const useful =
         static_cast<std::int64_t>(std::ceil(std::cbrt(static_cast<double>(system.count))));
-    return std::min(fit, std::max(useful, cells_min));
+    return fit < cells_min ? 1 : std::min(fit, std::max(useful, cells_min));
 }
 
 } // namespace
@@ -27,10 +28,6 @@ FrameStepping::FrameStepping(System const& system, Start start, double const ste
     : system_(system), balls_(std::move(start)), step_(step), cells_(cells_along(system)),
       next_in_cell_(static_cast<std::size_t>(system.count), nobody) {
     if (!(step > 0)) throw std::invalid_argument(fmt::format("step = {}: must be positive", step));
-    if (cells_ < cells_min) {
-        throw std::invalid_argument(
-            fmt::format("side = {}: must be at least three diameters", system.side));
-    }
     first_in_cell_.resize(static_cast<std::size_t>(cells_ * cells_ * cells_));
 }
 
@@ -94,6 +91,7 @@ void FrameStepping::meet_neighbours(std::int64_t const ball) {
         bool inside = true;
         for (int d = 0; d < 3; ++d) {
             std::int64_t along = at[d] + towards[d];
+            if (cells_ == 1 && towards[d] != 0) inside = false;
             if (periodic) along = (along + cells_) % cells_;
             inside = inside && along >= 0 && along < cells_;
             other_cell = other_cell * cells_ + along;

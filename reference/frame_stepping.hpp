@@ -24,8 +24,7 @@ namespace clack::reference {
 class FrameStepping {
 public:
     ///   step   [time], positive; a ball should not fly further in it than its diameter
-    /// Throws std::invalid_argument unless the step is positive and the cube at least three
-    /// diameters wide.
+    /// Throws std::invalid_argument unless the step is positive.
     FrameStepping(System const& system, Start start, double step);
 
     void advance(std::int64_t steps);
