@@ -1,6 +1,6 @@
 # Which method fails in which scene: the worst outcome, and from which k on.
 width = 17.6
-height = 13.2
+height = 12.6
 load 'paper/style.gp'
 
 file = data . '/failure_atlas.csv'
@@ -24,7 +24,7 @@ raised(text) = (strstrt(text, '10^-k') ? text[1:strstrt(text, '10^-k') - 1] . '1
 
 set lmargin at screen 0.305
 set rmargin at screen 0.955
-set tmargin at screen 0.835
+set tmargin at screen 0.855
 set bmargin at screen 0.085
 set xrange [-0.5:columns - 0.5]
 set yrange [rows - 0.5:-0.5]

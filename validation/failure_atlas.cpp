@@ -77,9 +77,9 @@ Csv csv_of(Atlas const& atlas) {
     return csv;
 }
 
-/// Where a column begins to fail, and how.
+/// Where a column begins to fail, and the worst that becomes of it.
 std::string in_short(Cell const& found) {
-    constexpr std::array letters{"", "d", "o", "v", "e", "l", "h", "c"};
+    constexpr std::array letters{"", "D", "O", "V", "E", "L", "H", "C"};
     if (found.worst == Kind::not_run) return "";
     if (found.worst == Kind::ok) return "--";
     return fmt::format("{:.3g}\\,{}", found.threshold,
