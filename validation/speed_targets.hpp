@@ -1,19 +1,10 @@
 #pragma once
 // What is asked of the rates, and whether it is so.
 
+#include "validation/harness/ratio.hpp"
 #include "validation/speed.hpp"
 
 namespace clack::validation::speed {
-
-/// The middle one of several, with the standard error that a median of normal numbers has.
-inline Estimate median_of(std::vector<double> values) {
-    Estimate const mean = mean_of(values);
-    std::sort(values.begin(), values.end());
-    std::size_t const half = values.size() / 2;
-    double const median =
-        values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-    return {median, std::sqrt(std::numbers::pi / 2) * mean.error, mean.degrees_of_freedom};
-}
 
 /// A state point with what was measured there.
 struct Found {
@@ -99,19 +90,6 @@ inline std::string name_of(Yardstick const yardstick) {
     default:
         return fmt::format("of {} balls", not_small);
     }
-}
-
-/// "Is the factor at least this?" as a comparison of logarithms, which agrees anywhere between
-/// `least` and a factor that nothing reaches.
-inline Comparison at_least(double const least, Estimate const& factor) {
-    constexpr double unreachable = 1e6;
-    double const reach = std::log(unreachable / least) / 2;
-    return {.name = {},
-            .measured = {std::log(factor.value), factor.error / factor.value,
-                         factor.degrees_of_freedom},
-            .reference = std::log(least) + reach,
-            .reference_error = 0,
-            .margin = reach};
 }
 
 /// Verdicts: of those that are judged together, of the aims each alone.

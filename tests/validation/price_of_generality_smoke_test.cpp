@@ -1,0 +1,120 @@
+// The experiment on the price of generality: ingredients do what they say, neutral ones leave no
+// trace, and a bad choice of `auto` is caught.
+
+#include "validation/price_of_generality.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace clack;
+using namespace clack::validation;
+using namespace clack::validation::price;
+
+namespace {
+
+System const small = cube(Boundary::walls, 100, 0.2);
+
+/// Two balls that meet head on, between walls far away.
+std::pair<Vector3<double>, Vector3<double>> head_on(auto&& collide) {
+    Ball<double> i, j;
+    i.velocity = {1, 0.5, 0};
+    j.velocity = {-1, 0, 0.25};
+    collide(i, j);
+    return {i.velocity, j.velocity};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(neutral_ingredients_leave_the_balls_their_way) {
+    Start const start = equilibrated(small, 1);
+    for (Ingredient const& ingredient : ingredients())
+        BOOST_TEST(require_neutral(ingredient, small, start) >= 5, ingredient.name);
+}
+
+BOOST_AUTO_TEST_CASE(ingredient_that_is_not_neutral_is_caught) {
+    Start const start = equilibrated(small, 1);
+    Ingredient const narrower{"narrower balls", [](System system, Start const& from) {
+                                  system.diameter *= 1 - 1e-12;
+                                  return run_with<>(system, from);
+                              }};
+    BOOST_CHECK_THROW(require_neutral(narrower, small, start), LawBroken);
+}
+
+BOOST_AUTO_TEST_CASE(heavier_ball_keeps_momentum_and_energy) {
+    MassOfEach<double> const model(small);
+    double const excess = 2;
+    Vector3<double> given;
+    auto const [vi, vj] = head_on([&](Ball<double>& i, Ball<double>& j) {
+        i.unused = excess;
+        given = model.collide(i.velocity, j.velocity, {1, 0, 0}, 0);
+    });
+    double const mass = 1 + excess;
+    Vector3<double> const before{mass * 1 - 1, mass * 0.5, 0.25};
+    BOOST_TEST((mass * vi + vj - before).norm() < 1e-15);
+    BOOST_TEST(mass * vi.squaredNorm() + vj.squaredNorm() == mass * 1.25 + 1.0625,
+               boost::test_tools::tolerance(1e-15));
+    BOOST_TEST((given - Vector3<double>{vj[0] + 1, 0, 0}).norm() < 1e-15);
+    BOOST_TEST(vj[0] > vi[0]);
+}
+
+BOOST_AUTO_TEST_CASE(normal_velocity_comes_back_by_the_restitution) {
+    Restitution<double> const model(small, 0.5);
+    auto const [vi, vj] = head_on([&](Ball<double>& i, Ball<double>& j) {
+        model.collide(i.velocity, j.velocity, {1, 0, 0}, 0);
+    });
+    BOOST_TEST(vj[0] - vi[0] == 0.5 * 2, boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(vi[1] == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(wall_that_rises_is_met_where_the_ball_falls_on_it) {
+    double const field = 2;
+    ConstantField<double> const model(small, field);
+    WalledCube<double> const walls(small);
+    Ball<double> ball;
+    ball.point = {walls.low + 1, walls.low + 1, walls.low + 1};
+    ball.time = 0.25;
+    for (double const upwards : {-1.0, 0.0, 5.0}) { // of the ball that falls, in the frame at rest
+        ball.velocity = {0, 0, upwards + field * ball.time};
+        auto const contact = model.wall_contact(ball, walls);
+        double const wait = contact.time - ball.time;
+        double const risen = field * contact.time * contact.time / 2;
+        bool const up = contact.wall == 5;
+        double const plane = (up ? walls.high : walls.low) + risen;
+        BOOST_TEST(ball.point[2] + ball.velocity[2] * wait == plane,
+                   boost::test_tools::tolerance(1e-14));
+        BOOST_TEST(up == (upwards > 0));
+    }
+}
+
+// The mutant: `auto` that takes the table everywhere.
+BOOST_AUTO_TEST_CASE(choice_that_is_slow_is_caught) {
+    Point const many{Boundary::walls, 500, 0.2, 3};
+    MethodMaker const by_table = [](System const& system, Method const method, Start const& start) {
+        return make_true_method(system, method == Method::automatic ? Method::table : method,
+                                start);
+    };
+    std::vector<double> over_heap, truly;
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        Measurement const slow = measure(many, seed, by_table);
+        BOOST_TEST(slow[0] == infinity<double>); // it is the table
+        over_heap.push_back(slow[1]);
+        truly.push_back(measure(many, seed)[1]);
+    }
+    BOOST_TEST((judge({at_least(0.9, median_of(over_heap))}).front().verdict == Verdict::differs));
+    BOOST_TEST((judge({at_least(0.9, median_of(truly))}).front().verdict != Verdict::differs));
+}
+
+// Reasons and bounds of the choice: each kind of scene by its own model.
+BOOST_AUTO_TEST_CASE(auto_goes_by_number_and_packing_fraction) {
+    auto const chosen = [](Boundary boundary, std::int64_t count, double packing_fraction) {
+        ModelDescription const model =
+            make_true_method(cube(boundary, count, packing_fraction), Method::automatic,
+                             lattice_start(cube(boundary, count, packing_fraction), 1))
+                ->model();
+        return model.search + " " + model.queue;
+    };
+    BOOST_TEST(chosen(Boundary::walls, 4, 0.05) == "EveryPair CollisionTable");
+    BOOST_TEST(chosen(Boundary::walls, 30, 0.05) == "EveryPair Calendar");
+    BOOST_TEST(chosen(Boundary::periodic, 20, 0.2) == "EveryPair BinaryHeap");
+    BOOST_TEST(chosen(Boundary::walls, 500, 0.2) == "CellGrid Calendar");
+    BOOST_TEST(chosen(Boundary::periodic, 500, 0.45) == "NeighbourList Calendar");
+}

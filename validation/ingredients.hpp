@@ -1,0 +1,184 @@
+#pragma once
+// What a scene may ask for beyond equal elastic balls, each as the smallest policy that shows where
+// it goes. All of them are neutral here, so that the balls move as they do without: a mass of 1, a
+// restitution of 1, a field of 0.
+
+#include "resolution/elastic_balls.hpp"
+#include "resolution/growing_balls.hpp"
+#include "state/container.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+
+namespace clack::validation {
+
+/// Periodic code between walls: each separation goes to the nearest image, in a cube so wide that
+/// it is there already.
+template <class Real> struct WrappedPairs : ElasticBalls<Real> {
+    PeriodicCube<Real> cube;
+
+    explicit WrappedPairs(System const& system)
+        : ElasticBalls<Real>(system), cube(twice_as_wide(system)) {}
+
+    static System twice_as_wide(System system) {
+        system.side *= 2;
+        return system;
+    }
+
+    template <class Number> [[gnu::always_inline]] Number contact_time(Pair<Number> p) const {
+        p.x = p.x - cube.image(p.x) * cube.side;
+        p.y = p.y - cube.image(p.y) * cube.side;
+        p.z = p.z - cube.image(p.z) * cube.side;
+        return ElasticBalls<Real>::contact_time(p);
+    }
+};
+
+/// A mass for each ball: what it is heavier than 1 stands in the number that its record has to
+/// spare, behind its velocity.
+template <class Real> struct MassOfEach : ElasticBalls<Real> {
+    using ElasticBalls<Real>::ElasticBalls;
+    static constexpr bool keeps_energy = false; // that of equal masses, which the law knows
+
+    static Real mass_of(Vector3<Real> const& velocity) {
+        static_assert(offsetof(Ball<Real>, unused) ==
+                      offsetof(Ball<Real>, velocity) + 3 * sizeof(Real));
+        Real excess;
+        std::memcpy(&excess, reinterpret_cast<char const*>(&velocity) + 3 * sizeof(Real),
+                    sizeof excess);
+        return 1 + excess;
+    }
+
+    /// As equal balls do (resolution/bounce.hpp), each with its share of twice the reduced mass.
+    Vector3<Real> collide(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
+                          Vector3<Real> const& separation, std::uint64_t /*collision*/) const {
+        Real const approach = dot<Real>(separation, velocity_j - velocity_i);
+        if (!(approach < 0)) return Vector3<Real>::Zero();
+        Real const mass_i = mass_of(velocity_i), mass_j = mass_of(velocity_j);
+        Real const twice_inverse = 2 / (mass_i + mass_j);
+        Real const share_i = mass_j * twice_inverse, share_j = mass_i * twice_inverse;
+        Real const distance2 = dot<Real>(separation, separation);
+        Real const ratio = approach / distance2;
+        Real const rest =
+            (fused(-ratio, distance2, approach) - ratio * square_rest(separation)) / distance2;
+        Vector3<Real> kick;
+        for (int d = 0; d < 3; ++d) kick[d] = fused(separation[d], ratio, separation[d] * rest);
+        velocity_i += share_i * kick;
+        velocity_j -= share_j * kick;
+        if (dot<Real>(separation, velocity_j - velocity_i) < 0)
+            turn_apart(velocity_i, velocity_j, separation, distance2);
+        return -(mass_j * share_j) * kick;
+    }
+};
+
+/// A diameter for each ball. A prediction knows no record but as a pair, so that the radii cannot
+/// come from where they would stand, behind the velocities that are turned into lanes: here they
+/// are read from one place each time, an instruction for an instruction, and are all the same.
+template <class Real> struct DiameterOfEach : ElasticBalls<Real> {
+    explicit DiameterOfEach(System const& system)
+        : ElasticBalls<Real>(system), radius_(static_cast<Real>(system.diameter / 2)),
+          others_(broadcast(radius_)) {}
+
+    /// SteadyDiameter's, with another diameter in each lane.
+    template <class Number>
+    [[gnu::always_inline]] Number contact_time(Pair<Number> const& p) const {
+        Number const zero{};
+        Number never = zero + std::numeric_limits<Real>::quiet_NaN();
+        Number const reach = radius_of_other<Number>() + radius_;
+        Number const reach2 = reach * reach;
+        Number const b = p.x * p.vx + p.y * p.vy + p.z * p.vz;
+        Number const c = p.x * p.x + p.y * p.y + p.z * p.z - reach2;
+        Number const speed2 = p.vx * p.vx + p.vy * p.vy + p.vz * p.vz;
+        Number const cross_x = p.y * p.vz - p.z * p.vy;
+        Number const cross_y = p.z * p.vx - p.x * p.vz;
+        Number const cross_z = p.x * p.vy - p.y * p.vx;
+        Number const cross2 = cross_x * cross_x + cross_y * cross_y + cross_z * cross_z;
+        Number const disc = select(c < reach2, b * b - speed2 * c, speed2 * reach2 - cross2);
+        Number const root = square_root(select(c > zero, disc, b * b));
+        Number const when = p.time + select(c > zero, c, zero) / (root - b);
+        return select(b < zero, when, never);
+    }
+
+    Real diameter_squared(Pair<Real> const& /*pair*/, Real /*time*/) const {
+        Real const reach = radius_of_other<Real>() + radius_;
+        return reach * reach;
+    }
+
+private:
+    /// Read anew each time: volatile, or the compiler would read it once for all pairs.
+    template <class Number> [[gnu::always_inline]] Number radius_of_other() const {
+        if constexpr (is_lanes<Number>) {
+            return const_cast<Number const volatile&>(others_);
+        } else {
+            return radius_;
+        }
+    }
+
+    Real radius_;
+    Lanes<Real> others_;
+};
+
+/// Collisions that may lose energy. The normal relative velocity comes back `restitution` times.
+template <class Real> struct Restitution : ElasticBalls<Real> {
+    static constexpr bool keeps_energy = false;
+    Real share;
+
+    explicit Restitution(System const& system, double restitution = 1)
+        : ElasticBalls<Real>(system), share(static_cast<Real>((1 + restitution) / 2)) {}
+
+    Vector3<Real> collide(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
+                          Vector3<Real> const& separation, std::uint64_t /*collision*/) const {
+        return exchange_normal_velocities(velocity_i, velocity_j, separation, share);
+    }
+};
+
+/// A constant field along z, as far as the seams carry it. In the frame that falls freely balls fly
+/// straight and meet as they do without a field; what rises are the walls and the faces of the
+/// cells, which are reached at roots of quadratics. (For a field other than 0 the record of a ball
+/// would have to change at each epoch with its frame, `plane` would have to know the axis and
+/// `reflect` the time.)
+template <class Real> struct ConstantField : ElasticBalls<Real> {
+    Real field; // [length / time^2]
+
+    explicit ConstantField(System const& system, double strength = 0)
+        : ElasticBalls<Real>(system), field(static_cast<Real>(strength)) {}
+
+    WallContact<Real> wall_contact(Ball<Real> const& ball, WalledCube<Real> const& cube) const {
+        Ball<Real> level = ball;
+        level.velocity[2] = 0; // asked for below
+        WallContact<Real> best = earliest_wall(level, cube);
+        Real const risen = field * ball.time * ball.time / 2;
+        Real const v = ball.velocity[2] - field * ball.time;
+        bool const up = v > 0;
+        Real const gap = up ? cube.high + risen - ball.point[2] : ball.point[2] - cube.low - risen;
+        Real const wait = wait_for(gap, v);
+        if (!(wait >= 0)) return best;
+        Real const time = ball.time + wait;
+        if (time < best.time) best = {time, up ? 5 : 4};
+        return best;
+    }
+
+    Real expiry(Real when) const {
+        return when < infinity<Real> ? 2 * when / (1 + square_root(1 - 2 * field * when)) : when;
+    }
+
+private:
+    /// Of a wall so far ahead; not a number where a ball is too slow to reach the upper one.
+    Real wait_for(Real gap, Real v) const {
+        if (v == 0 && field == 0) return infinity<Real>;
+        Real const inside = gap > 0 ? gap : Real(0);
+        Real const speed = v > 0 ? v : -v;
+        Real const root = square_root(v * v - (v > 0 ? 2 : -2) * field * inside);
+        return 2 * inside / (speed + root);
+    }
+};
+
+/// Growing balls that do not grow.
+template <class Real> struct UngrownBalls : GrowingBalls<Real> {
+    explicit UngrownBalls(System const& system)
+        : GrowingBalls<Real>{static_cast<Real>(system.diameter), 0,
+                             static_cast<Real>(system.diameter)} {}
+};
+
+} // namespace clack::validation
