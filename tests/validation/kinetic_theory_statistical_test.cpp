@@ -1,0 +1,93 @@
+// What the experiments on collisions, chains and relaxation catch, with the settings of their quick
+// profile; where a replicate would be long, with fewer of them.
+
+#include "validation/collision_statistics.hpp"
+#include "validation/relaxation.hpp"
+#include "validation/tonks_gas.hpp"
+
+#include "tests/validation/mutants.hpp"
+#include "validation/harness/seeds.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace clack;
+using namespace clack::validation;
+
+namespace {
+
+template <template <class> class Container, template <class> class Model>
+std::unique_ptr<Engine> mutant(Scene const& scene) {
+    return mutants::make<Container, Model>(scene);
+}
+
+/// The experiment's own seeds, so that the true engine's verdict is the one it has there.
+template <class Point, class Measure>
+std::vector<Measurement> replicates_of(std::string const& experiment, Point const& point,
+                                       int const replicates, Measure&& measure) {
+    std::vector<Measurement> all;
+    for (int k = 0; k < replicates; ++k)
+        all.push_back(measure(point, seed_of(experiment, point.text(), k)));
+    return all;
+}
+
+} // namespace
+
+// Each case: all true comparisons agree or are undecided with a false alarm of 1 %; the mutant's
+// verdict on the quantity that is made to notice it differs.
+
+BOOST_AUTO_TEST_CASE(grazing_collisions_that_are_missed_do_not_pass) {
+    using namespace collision_statistics;
+    StatePoint const point = state_points(Profile::quick).front(); // 8 balls between walls
+    auto const ledger_of = [&](EngineMaker const& make) {
+        Ledger ledger({{"boundary", ""}, {"count", ""}, {"packing_fraction", ""}});
+        enter(ledger, point,
+              replicates_of("collision_statistics", point, point.replicates,
+                            [&](auto const& p, auto seed) { return measure(p, seed, make); }));
+        ledger.judge();
+        BOOST_TEST_MESSAGE(ledger.text());
+        return ledger;
+    };
+    BOOST_TEST((ledger_of(make_true_engine).verdict() == Verdict::agrees));
+    auto const caught = ledger_of(mutant<WalledCube, mutants::MissedGrazing>);
+    BOOST_TEST((caught.verdict("impact_squared") == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(chain_between_walls_off_by_a_thousandth_does_not_pass) {
+    using namespace tonks_gas;
+    StatePoint const point = state_points(Profile::quick)[1]; // 10 balls, double
+    auto const ledger_of = [&](ChainMaker const& make) {
+        Ledger ledger({{"count", ""}, {"precision", ""}});
+        enter(ledger, point,
+              replicates_of("tonks_gas", point, point.replicates,
+                            [&](auto const& p, auto seed) { return measure(p, seed, make); }));
+        BOOST_TEST_MESSAGE(ledger.text());
+        return ledger;
+    };
+    BOOST_TEST((ledger_of(make_true_chain).verdict() == Verdict::agrees));
+    auto const moved = [](System const& system, Precision, Start const& start) {
+        return mutants::make<WalledCube, mutants::MovedWalls>(system, start);
+    };
+    auto const caught = ledger_of(moved);
+    for (char const* const quantity : {"place", "wall_force", "collisions"})
+        BOOST_TEST((caught.verdict(quantity) == Verdict::differs), quantity);
+}
+
+BOOST_AUTO_TEST_CASE(balls_that_swap_their_velocities_never_relax) {
+    using namespace relaxation;
+    StatePoint const point = state_points(Profile::quick).front(); // from equal speeds
+    constexpr int replicates = 40;                                 // of the 240
+    auto const walks = replicates_of("relaxation", point, 200,
+                                     [](auto const& p, auto seed) { return walk(p, seed); });
+    auto const verdict_of = [&](EngineMaker const& make) {
+        Ledger ledger({{"start", ""}, {"time", ""}});
+        enter(ledger, point,
+              replicates_of("relaxation", point, replicates,
+                            [&](auto const& p, auto seed) { return measure(p, seed, make); }),
+              walks);
+        ledger.judge();
+        BOOST_TEST_MESSAGE(ledger.text());
+        return ledger.verdict("excess_H");
+    };
+    BOOST_TEST((verdict_of(make_true_engine) != Verdict::differs));
+    BOOST_TEST((verdict_of(mutant<WalledCube, mutants::SwappedVelocities>) == Verdict::differs));
+}

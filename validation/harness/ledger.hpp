@@ -1,0 +1,70 @@
+#pragma once
+// The account of an experiment that asks for many numbers: each quantity at each state point beside
+// its reference, all judged together, printed, and left behind for figures, tables and the report.
+
+#include "validation/harness/experiment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace clack::validation {
+
+/// What names a state point: the column in the data and the head in the report's table.
+struct Key {
+    std::string column; // with its unit, if it has one
+    std::string head;   // TeX
+};
+
+/// What is measured: its name in the data and its symbol in the report's table.
+struct Quantity {
+    std::string name;
+    std::string symbol; // TeX
+};
+
+class Ledger {
+public:
+    explicit Ledger(std::vector<Key> keys) : keys_(std::move(keys)) {}
+
+    /// A number that is judged. The comparison needs no name. `state` has a cell for each key.
+    void compare(std::vector<std::string> state, Quantity quantity, Comparison comparison);
+    /// A number beside one that is no yardstick: shown with its z, not judged.
+    void guide(std::vector<std::string> state, Quantity quantity, Comparison comparison);
+    /// A test of fit: only its p-value is known.
+    void fit(std::vector<std::string> state, Quantity quantity, double p_value);
+    /// A number without chance in it, that must lie within `bound` of the reference.
+    void bound(std::vector<std::string> state, Quantity quantity, double value, double reference,
+               double bound);
+
+    /// Judges all: comparisons together and tests of fit together, each at the false alarm.
+    void judge(Risks const& risks = {});
+    /// Of one quantity over all states, or of all.
+    Verdict verdict(std::string const& quantity = "") const;
+
+    Csv csv() const;
+    std::string table() const;
+    /// Defines Verdict, Profile, Comparisons, LargestZ and FalseAlarmPercent.
+    void define(Macros& macros, Profile profile) const;
+    std::string text() const;
+
+private:
+    enum class Kind { compared, guide, fit, bound };
+    struct Entry {
+        Kind kind;
+        std::vector<std::string> state;
+        Quantity quantity;
+        Comparison comparison;
+        double p_value = 1; // of a fit
+        double z = 0;
+        Verdict verdict = Verdict::undecided;
+
+        std::string word() const { return kind == Kind::guide ? "guide" : name_of(verdict); }
+    };
+
+    std::vector<Key> keys_;
+    std::vector<Entry> entries_;
+};
+
+/// Judges, prints, writes the data, the table and the macros, and returns the verdict on all.
+Verdict conclude(Experiment& experiment, Ledger& ledger, Macros macros);
+
+} // namespace clack::validation
