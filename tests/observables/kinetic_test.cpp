@@ -1,6 +1,8 @@
 #include "observables/encounter.hpp"
 #include "observables/free_flights.hpp"
+#include "observables/helfand_moments.hpp"
 #include "observables/self_correlation.hpp"
+#include "tests/made_up_balls.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -68,4 +70,29 @@ BOOST_AUTO_TEST_CASE(steady_flight_through_a_periodic_cube_goes_ever_farther) {
     BOOST_TEST(correlation.mean_square_displacement(4) == 12 * 12 / 2.0); // over both balls
     BOOST_TEST(correlation.velocity_autocorrelation(3) == (9 - 1) / 2.0);
     BOOST_TEST(correlation.velocity_autocorrelation(4) == (9 + 1) / 2.0);
+}
+
+BOOST_AUTO_TEST_CASE(helfand_moments_are_of_positions_that_are_never_wrapped) {
+    // Summed over the balls, x v grows by stress and x e by heat: in a box with walls that no ball
+    // reaches, both sides are known from two snapshots.
+    System const system = made_up::system(Boundary::walls, 32, 0.001);
+    Start start = made_up::lattice(made_up::system(Boundary::periodic, 32, 0.3), 7);
+    start.positions.colwise() +=
+        Eigen::Vector3d::Constant(system.side / 2) - start.positions.rowwise().mean();
+    auto const engine = make_engine(system, Method::automatic, Precision::double_, start);
+    auto const moments_of = [&](Snapshot const& shot) {
+        Eigen::Matrix3d stress = shot.positions * shot.velocities.transpose();
+        Eigen::Vector3d heat =
+            shot.positions * shot.velocities.colwise().squaredNorm().transpose() / 2;
+        return std::pair(stress, heat);
+    };
+    Snapshot const before = engine->snapshot();
+    HelfandMoments moments(system, before);
+    engine->advance({.time = 2}, &moments);
+    BOOST_REQUIRE(engine->tallies().wall_collisions == 0);
+    BOOST_REQUIRE(engine->tallies().ball_collisions > 10);
+    auto const [stress_before, heat_before] = moments_of(before);
+    auto const [stress_after, heat_after] = moments_of(engine->snapshot());
+    BOOST_TEST((moments.stress(2) - (stress_after - stress_before)).norm() < 1e-10);
+    BOOST_TEST((moments.heat(2) - (heat_after - heat_before)).norm() < 1e-10);
 }

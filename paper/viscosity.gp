@@ -1,0 +1,30 @@
+# Shear and bulk viscosity over Enskog's against packing fraction, and the deviation from 1 where Enskog is exact.
+height = 7.2
+load 'paper/style.gp'
+
+values = data . '/viscosity.csv'
+only(name) = strcol(3) eq name
+judged(y) = strcol(11) ne 'guide' ? y : NaN
+
+set multiplot
+set xrange [0:0.52]
+set xtics 0.1
+
+@main_panel
+set yrange [0.5:2.6]
+set ytics 0.5
+set ylabel 'viscosity / Enskog’s' offset 0.4, 0
+set key top left Left reverse
+plot 1 with lines ls 1 title 'Enskog', \
+     values using ($1 - 0.002):(only('shear') ? $4 : NaN):5 with yerrorbars ls 2 pt 7 title 'shear', \
+     values using ($1 + 0.002):(only('bulk') ? $4 : NaN):5 with yerrorbars ls 3 title 'bulk'
+
+@residual_panel
+set yrange [-0.3:0.3]
+set ytics -0.2, 0.2
+set ylabel 'residual, judged' offset 0.4, 0
+set xlabel 'packing fraction ' . eta
+plot 0 with lines ls 1, \
+     values using ($1 - 0.002):(only('shear') ? judged($4 - 1) : NaN):5 with yerrorbars ls 2 pt 7, \
+     values using ($1 + 0.002):(only('bulk') ? judged($4 - 1) : NaN):5 with yerrorbars ls 3
+unset multiplot
