@@ -22,11 +22,11 @@ Question const question{
 
 struct Row {
     Trial trial;
-    Finding finding;
+    Outcome outcome;
     double seconds;
     bool stopped; // a law of the engine ended the run
 
-    std::string z() const { return stopped ? "" : fmt::format("{:.3g}", finding.z); }
+    std::string z() const { return stopped ? "" : fmt::format("{:.3g}", outcome.z); }
 };
 
 /// What a law of the engine stopped is caught, with no number to it.
@@ -42,7 +42,7 @@ Measurement measure_or_stop(Trial const& trial, std::uint64_t const seed) {
 Row judged(Trial const& trial, std::vector<Measurement> const& replicates, double const seconds) {
     bool const stopped = std::any_of(replicates.begin(), replicates.end(),
                                      [](Measurement const& values) { return values.empty(); });
-    return {trial, stopped ? Finding{Verdict::differs} : trial.judge(replicates), seconds, stopped};
+    return {trial, stopped ? Outcome{Verdict::differs} : trial.judge(replicates), seconds, stopped};
 }
 
 Csv csv_of(std::vector<Row> const& rows) {
@@ -51,7 +51,7 @@ Csv csv_of(std::vector<Row> const& rows) {
     for (Row const& row : rows)
         csv.row({row.trial.mutant, row.trial.experiment, row.trial.state_point,
                  cell(row.trial.replicates), row.z(), row.stopped ? "yes" : "no",
-                 fmt::format("{:.2f}", row.seconds), name_of(row.finding.verdict)});
+                 fmt::format("{:.2f}", row.seconds), name_of(row.outcome.verdict)});
     return csv;
 }
 
@@ -59,9 +59,9 @@ std::string table_of(std::vector<Row> const& rows) {
     std::vector<std::vector<std::string>> cells;
     for (Row const& row : rows)
         cells.push_back({in_tex(row.trial.mutant), "\\texttt{" + in_tex(row.trial.experiment) + "}",
-                         row.stopped ? "stopped" : significant(row.finding.z, 2),
+                         row.stopped ? "stopped" : significant(row.outcome.z, 2),
                          fmt::format("{:.1f}", row.seconds),
-                         row.finding.verdict == Verdict::differs ? "yes" : "no"});
+                         row.outcome.verdict == Verdict::differs ? "yes" : "no"});
     return tabular("llrrl", {"mutant", "experiment", "$z$", "cost, s", "caught"}, cells);
 }
 
@@ -77,8 +77,8 @@ Verdict ask(Experiment& experiment) {
         Row const row = judged(trial, replicates[k], seconds);
         std::cout << fmt::format("{:40} {:22} z = {:8} {:6.2f} s  {}\n", trial.mutant,
                                  trial.experiment, row.stopped ? "stopped" : row.z(), row.seconds,
-                                 name_of(row.finding.verdict));
-        caught += row.finding.verdict == Verdict::differs;
+                                 name_of(row.outcome.verdict));
+        caught += row.outcome.verdict == Verdict::differs;
         stopped += row.stopped;
         rows.push_back(row);
     }

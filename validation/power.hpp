@@ -18,7 +18,7 @@
 namespace clack::validation::power {
 
 /// What an experiment says of a mutant.
-struct Finding {
+struct Outcome {
     Verdict verdict = Verdict::undecided;
     double z = 0;
 };
@@ -29,7 +29,7 @@ struct Trial {
     std::string mutant, experiment, state_point;
     int replicates;
     Measure measure;
-    std::function<Finding(std::vector<Measurement> const&)> judge;
+    std::function<Outcome(std::vector<Measurement> const&)> judge;
 
     std::string text() const { return fmt::format("{}: {}: {}", mutant, experiment, state_point); }
 };
@@ -52,7 +52,7 @@ inline Trial conserving(Fault const fault, Boundary const boundary, double const
         }
         return {used};
     };
-    auto const judge = [](std::vector<Measurement> const& replicates) -> Finding {
+    auto const judge = [](std::vector<Measurement> const& replicates) -> Outcome {
         double const used = replicates.front().front();
         return {used > 1 ? Verdict::differs : Verdict::agrees, 16 * used};
     };
@@ -65,20 +65,21 @@ inline Trial under_pressure(std::string const& mutant, double const packing_frac
                             std::function<double(double z, double count)> const& misread) {
     auto const points = equation_of_state::state_points(Profile::quick);
     auto const point = *std::find_if(points.begin(), points.end(), [&](auto const& p) {
-        return p.packing_fraction == packing_fraction;
+        return p.run.packing_fraction == packing_fraction;
     });
     auto const measure = [=](std::uint64_t const seed) {
         Measurement values = equation_of_state::measure(point, seed, make);
-        for (double& z : values) z = misread(z, static_cast<double>(point.count));
+        for (double& z : values) z = misread(z, static_cast<double>(point.run.count));
         return values;
     };
     Risks const risks{.false_alarm = Risks{}.false_alarm / static_cast<double>(points.size())};
-    auto const judge = [=](std::vector<Measurement> const& replicates) -> Finding {
-        double const part = equation_of_state::margin(Profile::quick);
-        auto const judgements = validation::judge(
-            {equation_of_state::compare(point, replicates, equation_of_state::by_virial, part),
-             equation_of_state::compare(point, replicates, equation_of_state::by_rate, part)},
-            risks);
+    auto const judge = [=](std::vector<Measurement> const& replicates) -> Outcome {
+        auto const judgements =
+            validation::judge({equation_of_state::compare(
+                                   point, replicates, equation_of_state::by_virial, Profile::quick),
+                               equation_of_state::compare(
+                                   point, replicates, equation_of_state::by_rate, Profile::quick)},
+                              risks);
         double const virial = judgements[0].z, rate = judgements[1].z;
         return {together(judgements), std::abs(virial) > std::abs(rate) ? virial : rate};
     };
@@ -99,7 +100,7 @@ inline Trial by_velocities(Fault const fault, std::int64_t const count) {
         return velocity_distribution::measure(point, seed, with(fault));
     };
     Risks const risks{.false_alarm = Risks{}.false_alarm / static_cast<double>(points.size())};
-    auto const judge = [=](std::vector<Measurement> const& replicates) -> Finding {
+    auto const judge = [=](std::vector<Measurement> const& replicates) -> Outcome {
         auto const findings = velocity_distribution::find(point, replicates);
         return {velocity_distribution::judge_points({findings}, risks).front(),
                 validation::judge({findings.fourth_moment}).front().z};

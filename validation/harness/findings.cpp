@@ -83,10 +83,4 @@ Verdict Findings::conclude(Experiment& experiment, std::string const& prefix,
     return verdict();
 }
 
-Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const value) {
-    std::vector<double> values;
-    for (Measurement const& replicate : replicates) values.push_back(replicate.at(value));
-    return mean_of(values);
-}
-
 } // namespace clack::validation

@@ -56,7 +56,4 @@ private:
     std::vector<Verdict> required_;
 };
 
-/// One of the values that each replicate measured, over all of them.
-Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t value);
-
 } // namespace clack::validation
