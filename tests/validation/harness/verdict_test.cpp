@@ -11,8 +11,10 @@ using namespace clack::validation;
 
 namespace {
 
+constexpr Risks one_percent{.false_alarm = 0.01};
+
 Verdict verdict_of(double const difference, double const error, double const margin) {
-    return judge({Comparison{"x", {5 + difference, error}, 5, 0, margin}})[0].verdict;
+    return judge({Comparison{"x", {5 + difference, error}, 5, 0, margin}}, one_percent)[0].verdict;
 }
 
 } // namespace
@@ -41,9 +43,10 @@ BOOST_AUTO_TEST_CASE(difference_that_is_certain_but_within_the_margin_agrees) {
 
 BOOST_AUTO_TEST_CASE(few_replicates_weigh_less) {
     Comparison comparison{"x", {7, 0.25, 2}, 5, 0, 1};
-    BOOST_TEST((judge({comparison})[0].verdict == Verdict::undecided)); // t of 2: 4 is not rare
+    BOOST_TEST((judge({comparison}, one_percent)[0].verdict ==
+                Verdict::undecided)); // t of 2: 4 is not rare
     comparison.measured.degrees_of_freedom = 50;
-    BOOST_TEST((judge({comparison})[0].verdict == Verdict::differs));
+    BOOST_TEST((judge({comparison}, one_percent)[0].verdict == Verdict::differs));
 }
 
 BOOST_AUTO_TEST_CASE(reference_error_counts) {
@@ -54,8 +57,8 @@ BOOST_AUTO_TEST_CASE(reference_error_counts) {
 BOOST_AUTO_TEST_CASE(many_comparisons_need_a_larger_difference) {
     Comparison const odd{"odd", {5 + 1 + 2.6 * 0.2, 0.2}, 5, 0, 1}; // 2.6 errors outside
     Comparison const good{"good", {5, 0.2}, 5, 0, 1};
-    BOOST_TEST((judge({odd})[0].verdict == Verdict::differs));
-    auto const family = judge({odd, good, good, good, good, good});
+    BOOST_TEST((judge({odd}, one_percent)[0].verdict == Verdict::differs));
+    auto const family = judge({odd, good, good, good, good, good}, one_percent);
     BOOST_TEST((family[0].verdict == Verdict::undecided));
     BOOST_TEST((family[1].verdict == Verdict::agrees));
 }
