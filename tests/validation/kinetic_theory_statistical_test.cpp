@@ -1,9 +1,11 @@
-// What the experiments on collisions, chains and relaxation catch, with the settings of their quick
-// profile; where a replicate would be long, with fewer of them.
+// What the experiments on collisions, chains, relaxation and the motion of single balls catch, with
+// the settings of their quick profile; where a replicate would be long, with fewer of them.
 
 #include "validation/collision_statistics.hpp"
 #include "validation/relaxation.hpp"
+#include "validation/self_diffusion.hpp"
 #include "validation/tonks_gas.hpp"
+#include "validation/velocity_autocorrelation.hpp"
 
 #include "tests/validation/mutants.hpp"
 #include "validation/harness/seeds.hpp"
@@ -29,6 +31,35 @@ std::vector<Measurement> replicates_of(std::string const& experiment, Point cons
         all.push_back(measure(point, seed_of(experiment, point.text(), k)));
     return all;
 }
+
+/// An engine that forgets how often its balls have left the periodic cube.
+class LostImages : public Engine {
+public:
+    explicit LostImages(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
+
+    Stop advance(Goal const& goal, CollisionObserver* observer) override {
+        return engine_->advance(goal, observer);
+    }
+    Snapshot snapshot() const override {
+        Snapshot shot = engine_->snapshot();
+        shot.images.setZero();
+        return shot;
+    }
+    void start_clock() override { engine_->start_clock(); }
+    void hash_collisions() override { engine_->hash_collisions(); }
+    double time() const override { return engine_->time(); }
+    Tallies const& tallies() const override { return engine_->tallies(); }
+    std::uint64_t hash() const override { return engine_->hash(); }
+    double kinetic_energy() const override { return engine_->kinetic_energy(); }
+    Eigen::Vector3d momentum() const override { return engine_->momentum(); }
+    Checkpoint checkpoint() const override { return engine_->checkpoint(); }
+    System const& system() const override { return engine_->system(); }
+    ModelDescription model() const override { return engine_->model(); }
+    std::size_t bytes() const override { return engine_->bytes(); }
+
+private:
+    std::unique_ptr<Engine> engine_;
+};
 
 } // namespace
 
@@ -90,4 +121,39 @@ BOOST_AUTO_TEST_CASE(balls_that_swap_their_velocities_never_relax) {
     };
     BOOST_TEST((verdict_of(make_true_engine) != Verdict::differs));
     BOOST_TEST((verdict_of(mutant<WalledCube, mutants::SwappedVelocities>) == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(displacements_in_a_wrapped_cube_do_not_pass) {
+    using namespace self_diffusion;
+    StatePoint const point = state_points(Profile::quick)[1]; // packing fraction 0.1
+    auto const verdict_of = [&](EngineMaker const& make) {
+        Ledger ledger({{"packing_fraction", ""}, {"count", ""}});
+        enter(ledger, point,
+              replicates_of("self_diffusion", point, 4,
+                            [&](auto const& p, auto seed) { return measure(p, seed, make); }));
+        ledger.judge();
+        BOOST_TEST_MESSAGE(ledger.text());
+        return ledger.verdict();
+    };
+    BOOST_TEST((verdict_of(make_true_engine) != Verdict::differs));
+    auto const lost = [](Scene const& scene) {
+        return std::make_unique<LostImages>(make_true_engine(scene));
+    };
+    BOOST_TEST((verdict_of(lost) == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(balls_that_swap_their_velocities_forget_them_at_once) {
+    using namespace velocity_autocorrelation;
+    StatePoint const point = state_points(Profile::quick)[1]; // packing fraction 0.3
+    auto const verdict_of = [&](EngineMaker const& make) {
+        Ledger ledger({{"packing_fraction", ""}, {"count", ""}});
+        enter(ledger, point,
+              replicates_of("velocity_autocorrelation", point, 4,
+                            [&](auto const& p, auto seed) { return measure(p, seed, make); }));
+        ledger.judge();
+        BOOST_TEST_MESSAGE(ledger.text());
+        return ledger.verdict("initial_slope");
+    };
+    BOOST_TEST((verdict_of(make_true_engine) != Verdict::differs));
+    BOOST_TEST((verdict_of(mutant<PeriodicCube, mutants::SwappedVelocities>) == Verdict::differs));
 }
