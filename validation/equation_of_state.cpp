@@ -75,7 +75,8 @@ Csv infinite_fluid(std::vector<Finding> const& all) {
 }
 
 void define_macros(Macros& macros, std::vector<StatePoint> const& points,
-                   std::vector<Finding> const& all, Profile const profile) {
+                   std::vector<Finding> const& all, double const blocking_ratio,
+                   Profile const profile) {
     double count = 0, largest_deviation = 0;
     for (StatePoint const& point : points) count += collisions(point);
     for (Finding const& finding : all)
@@ -83,6 +84,7 @@ void define_macros(Macros& macros, std::vector<StatePoint> const& points,
             largest_deviation = std::max(
                 largest_deviation,
                 std::abs(finding.comparison.measured.value / finding.comparison.reference - 1));
+    macros.define("BlockingRatio", significant(blocking_ratio, 2));
     macros.define("PackingFractions", cell(points.size()));
     macros.define("Collisions", significant(count, 2));
     macros.define("LowestPacking", fmt::format("{:.2f}", all.front().at));
@@ -96,14 +98,17 @@ Verdict ask(Experiment& experiment) {
     Profile const profile = experiment.profile();
     auto const points = state_points(profile);
     Findings findings("packing_fraction", "$\\eta$");
-    for (StatePoint const& point : points)
-        add_findings(findings, point,
-                     experiment.campaign().replicates(
-                         point.text(), point.replicates,
-                         [&](std::uint64_t const seed) { return measure(point, seed); }),
-                     profile);
+    auto const replicates = experiment.campaign().replicates(tasks_of(
+        points, [](StatePoint const& point, std::uint64_t seed) { return measure(point, seed); }));
+    double squared_ratio = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        add_findings(findings, points[k], replicates[k], profile);
+        squared_ratio +=
+            std::pow(error_by_blocking(replicates[k]) / mean_of(replicates[k], by_virial).error, 2);
+    }
+    double const blocking_ratio = std::sqrt(squared_ratio / static_cast<double>(points.size()));
     Verdict const verdict = findings.conclude(experiment, "EquationOfState", [&](Macros& macros) {
-        define_macros(macros, points, findings.all(), profile);
+        define_macros(macros, points, findings.all(), blocking_ratio, profile);
     });
     experiment.write(curves(), "_theory");
     experiment.write(infinite_fluid(findings.all()), "_infinite");
@@ -116,5 +121,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

@@ -51,8 +51,9 @@ constexpr double contact_margin(Profile const profile) { return 5 * margin(profi
 /// Relative error of the theory's Z.
 constexpr double theory_error = 2e-5;
 
-/// What one replicate measures: the compressibility factor of N balls, in three ways.
-enum Value : std::size_t { by_virial, by_rate, by_contact };
+/// What one replicate measures: the compressibility factor of N balls, in three ways, and the
+/// standard error of the first from this replicate alone, by blocking.
+enum Value : std::size_t { by_virial, by_rate, by_contact, blocked_error };
 
 /// How far beyond contact pairs are counted, and by a polynomial of which degree g is extrapolated:
 /// as far as it describes g to 1e-3. A dilute fluid has few pairs there, but a straighter g.
@@ -77,7 +78,15 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
         run_periodic(point.run, *engine, {point.looks, [&](Snapshot const& shot) { g.add(shot); }});
     double const contact = extrapolated(g.distances(), g.values(), 1, fit.degree);
     return {twice.by_virial, twice.by_rate,
-            1 - 1 / static_cast<double>(point.run.count) + 4 * eta * contact};
+            1 - 1 / static_cast<double>(point.run.count) + 4 * eta * contact, twice.virial_error};
+}
+
+/// Standard error of the mean over all replicates, from what blocking says of each.
+inline double error_by_blocking(std::vector<Measurement> const& replicates) {
+    double squares = 0;
+    for (Measurement const& measurement : replicates)
+        squares += measurement[blocked_error] * measurement[blocked_error];
+    return std::sqrt(squares) / static_cast<double>(replicates.size());
 }
 
 /// One of the values of all replicates beside the theory's.

@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace clack::validation {
 
@@ -58,9 +60,9 @@ struct Looks {
 };
 
 /// The compressibility factor of N balls from the virial of the collisions, as a run reports it,
-/// and from their number.
+/// and from their number; the standard error of the first from this run alone, by blocking.
 struct CompressibilityTwice {
-    double by_virial, by_rate;
+    double by_virial, by_rate, virial_error;
 };
 
 /// The spans of equilibration and of production are times that are fixed beforehand: one that ended
@@ -72,23 +74,27 @@ inline CompressibilityTwice run_periodic(PeriodicRun const& run, Engine& engine,
     engine.advance({.time = run.equilibration / run.expected_rate()});
     engine.start_clock();
     double const time = run.production / run.expected_rate();
-    for (int look = 1; look <= looks.count; ++look) {
-        engine.advance({.time = look * time / looks.count});
-        looks.look(engine.snapshot());
-    }
-    engine.advance({.time = time});
-
-    Tallies const& tallies = engine.tallies();
+    constexpr int enough_for_blocks = 256;
+    int const spans = looks.count > 0 ? looks.count : enough_for_blocks;
     double const energy = engine.kinetic_energy();
+    Tallies const& tallies = engine.tallies();
+    std::vector<Sample> samples{{0, {}, energy}};
+    for (int span = 1; span <= spans; ++span) {
+        double const when = span == spans ? time : span * time / spans;
+        engine.advance({.time = when});
+        samples.push_back({when, tallies, energy});
+        if (looks.count > 0) looks.look(engine.snapshot());
+    }
+
     double const kt = temperature(system, energy, engine.momentum());
-    auto const factor =
-        compressibility_factor(system, kt, {{0, {}, energy}, {time, tallies, energy}});
+    auto const virial = compressibility_factor(system, kt, samples).virial.value();
     double const collisions_per_ball = 2 * static_cast<double>(tallies.ball_collisions) / count;
     double const thermal_rate =
         collisions_per_ball / time * system.diameter * std::sqrt(system.mass / kt);
-    return {factor.virial.value().value,
+    return {virial.value,
             1 - 1 / count +
-                reference::collisional_from_rate(thermal_rate, system.degrees_of_freedom())};
+                reference::collisional_from_rate(thermal_rate, system.degrees_of_freedom()),
+            virial.error.value_or(std::numeric_limits<double>::quiet_NaN())};
 }
 
 } // namespace clack::validation

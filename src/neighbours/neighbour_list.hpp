@@ -22,7 +22,7 @@ public:
           reach_(static_cast<float>(reach(system) / system.diameter)),
           diameter_(static_cast<Real>(system.diameter)), per_diameter_(1 / diameter_),
           side_(static_cast<float>(system.side / system.diameter)), inverse_side_(1 / side_),
-          lattice_(system, cube, reach(system), balls_per_cell),
+          lattice_(system, cube, reach(system), balls_per_cell, periodic_min),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
           centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))) {
         widen(first_width);
@@ -30,7 +30,8 @@ public:
 
     /// Whether a periodic cube is wide enough for the nearest image to be the only one in reach.
     static bool fits(System const& system) {
-        return system.boundary == Boundary::walls || system.side > 4.1 * reach(system);
+        return system.boundary == Boundary::walls ||
+               system.side > (periodic_min + 0.1) * reach(system);
     }
 
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
@@ -127,6 +128,7 @@ private:
     }
 
     static constexpr double balls_per_cell = 0.7;
+    static constexpr int periodic_min = 4; // with 3, a ball would be found through two images
     static constexpr std::size_t first_width = line_balls;
 
     /// Thick shells make long lists, thin ones many rebuilds. Measured at packing fractions 0.35 to

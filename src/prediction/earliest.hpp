@@ -28,29 +28,44 @@ template <class Real, class Container, class Model> struct Scenery {
     bool several_images; // the box is so small that a pair can touch through more than one image
 };
 
+/// For a separation that is not taken through any image.
+struct Unbounded {
+    static constexpr Boundary boundary = Boundary::walls;
+};
+
+/// The earliest contact of two balls through the nearest image and the 26 around it. Each
+/// separation is rounded once, so that it is the same whichever image is nearest.
+template <class Real, class Container, class Model>
+Real contact_time_of_images(Scenery<Real, Container, Model> const& scenery, Ball<Real> const& i,
+                            Ball<Real> const& j, Real now) {
+    Container const& cube = scenery.cube;
+    Pair<Real> const direct = pair_of(i, j, Unbounded{}, now);
+    auto const through = [&](Real r, Real v, int image) {
+        Real const nearest = cube.image(r + v * (now - direct.time));
+        return r - (nearest + static_cast<Real>(image)) * cube.side;
+    };
+    Real best = std::numeric_limits<Real>::quiet_NaN();
+    for (int image = 0; image < 27; ++image) {
+        Pair<Real> pair = direct;
+        pair.x = through(direct.x, direct.vx, image % 3 - 1);
+        pair.y = through(direct.y, direct.vy, image / 3 % 3 - 1);
+        pair.z = through(direct.z, direct.vz, image / 9 - 1);
+        Real const time = scenery.model.contact_time(pair);
+        if (!(best <= time) && time == time) best = time;
+    }
+    return best;
+}
+
 /// Time of the contact of balls i and j through any image; NaN when they never touch.
 template <class Real, class Container, class Model>
 [[gnu::always_inline]] inline Real contact_time(Scenery<Real, Container, Model> const& scenery,
                                                 std::int32_t i, std::int32_t j, Real now) {
     auto const& balls = scenery.balls;
     auto const index = [](std::int32_t ball) { return static_cast<std::size_t>(ball); };
-    Pair<Real> const nearest = pair_of(balls[index(i)], balls[index(j)], scenery.cube, now);
-    if constexpr (Container::boundary == Boundary::periodic) {
-        if (scenery.several_images) {
-            Real best = std::numeric_limits<Real>::quiet_NaN();
-            for (int image = 0; image < 27; ++image) {
-                Pair<Real> pair = nearest;
-                int const x = image % 3 - 1, y = image / 3 % 3 - 1, z = image / 9 - 1;
-                pair.x += static_cast<Real>(x) * scenery.cube.side;
-                pair.y += static_cast<Real>(y) * scenery.cube.side;
-                pair.z += static_cast<Real>(z) * scenery.cube.side;
-                Real const time = scenery.model.contact_time(pair);
-                if (!(best <= time) && time == time) best = time;
-            }
-            return best;
-        }
-    }
-    return scenery.model.contact_time(nearest);
+    if constexpr (Container::boundary == Boundary::periodic)
+        if (scenery.several_images)
+            return contact_time_of_images(scenery, balls[index(i)], balls[index(j)], now);
+    return scenery.model.contact_time(pair_of(balls[index(i)], balls[index(j)], scenery.cube, now));
 }
 
 /// Whether a contact with ball j comes before the best so far: equal times go to the lower number.

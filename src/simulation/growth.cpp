@@ -61,7 +61,7 @@ Outcome grow_stage(System const& system, double widest, double rate, Start& ball
         return grow_stage<WalledCube, CellGrid>(system, widest, rate, balls);
     System wide = system;
     wide.diameter = widest;
-    if (touches_through_several_images(wide))
+    if (!CellGrid<double, PeriodicCube<double>>::fits(wide))
         return grow_stage<PeriodicCube, EveryPair>(system, widest, rate, balls);
     return grow_stage<PeriodicCube, CellGrid>(system, widest, rate, balls);
 }

@@ -86,6 +86,12 @@ ModelChoice choose_model(System const& system, Method method, Precision) {
         return {SearchKind::every_pair, QueueKind::binary_heap,
                 "the box is below four diameters: all pairs and images are checked"};
     }
+    using Cells = CellGrid<double, PeriodicCube<double>>;
+    if (!Cells::fits(system)) {
+        return {SearchKind::every_pair,
+                method == Method::heap ? QueueKind::binary_heap : QueueKind::calendar,
+                "the box is too narrow for cells: all pairs are checked"};
+    }
     if (method == Method::heap)
         return {SearchKind::cell_grid, QueueKind::binary_heap, "the textbook method"};
     return method == Method::fast ? fast(system) : automatic(system);

@@ -7,6 +7,7 @@
 #include "simulation/engine_of.hpp"
 #include "simulation/epoch.hpp"
 #include "tests/made_up_balls.hpp"
+#include "validation/harness/lattice_start.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -70,6 +71,26 @@ BOOST_AUTO_TEST_CASE(every_search_and_queue_goes_the_same_way_in_a_periodic_cube
     all_go_one_way<PeriodicCube>(108, 0.01, 4000);
     all_go_one_way<PeriodicCube>(150, 0.3, 8000);
     all_go_one_way<PeriodicCube>(256, 0.55, 8000);
+}
+
+/// Balls that start on a lattice come to be exactly half a side apart, where either of two images
+/// is the nearest; below 4.1 diameters all images count.
+BOOST_AUTO_TEST_CASE(few_balls_of_a_lattice_go_the_same_way_in_narrow_cubes) {
+    for (auto const& [count, packing_fraction] :
+         {std::pair{2, 0.01}, {4, 0.01}, {16, 0.05}, {3, 0.05}, {6, 0.05}}) {
+        System const system = made_up::system(Boundary::periodic, count, packing_fraction);
+        for (unsigned seed = 1; seed <= 6; ++seed) {
+            Start const start = validation::lattice_start(system, seed);
+            std::uint64_t wanted = 0;
+            for (Method const method : {Method::table, Method::heap, Method::fast}) {
+                auto const engine = make_engine(system, method, Precision::double_, start);
+                engine->hash_collisions();
+                engine->advance({.ball_collisions = 1000});
+                if (wanted == 0) wanted = engine->hash();
+                BOOST_TEST(engine->hash() == wanted);
+            }
+        }
+    }
 }
 
 /// Epochs, memory order and all: enough balls that they are moved about in memory.

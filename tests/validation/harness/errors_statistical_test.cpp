@@ -2,7 +2,7 @@
 // with a probability of 2e-4 for another seed.
 
 #include "observables/blocking.hpp"
-#include "validation/equation_of_state.hpp"
+#include "validation/periodic_run.hpp"
 #include "validation/harness/regression.hpp"
 #include "validation/harness/seeds.hpp"
 
@@ -71,17 +71,15 @@ BOOST_AUTO_TEST_CASE(blocked_intervals_of_correlated_series_cover_what_they_say)
 }
 
 BOOST_AUTO_TEST_CASE(blocked_intervals_of_real_runs_cover_what_they_say) {
-    equation_of_state::StatePoint const point{0.2, 108, 30, 500, 100};
-    double const truth = reference::periodic_compressibility(point.number_density(), point.count);
+    PeriodicRun const run{0.2, 108, 30, 500};
+    double const truth = reference::periodic_compressibility(run.number_density(), run.count);
     unsigned covered = 0, students = 0;
     std::vector<double> values;
-    for (int replicate = 0; replicate < point.replicates; ++replicate) {
-        auto const measured =
-            equation_of_state::measure(point, seed_of("coverage", point.text(), replicate));
-        covered += holds(
-            {measured[equation_of_state::by_virial], measured[equation_of_state::blocked_error]},
-            truth);
-        values.push_back(measured[equation_of_state::by_virial]);
+    for (int replicate = 0; replicate < 100; ++replicate) {
+        auto const engine = make_true_engine(run.scene(seed_of("coverage", run.text(), replicate)));
+        auto const measured = run_periodic(run, *engine);
+        covered += holds({measured.by_virial, measured.virial_error}, truth);
+        values.push_back(measured.by_virial);
         if (values.size() == 5) {
             students += holds(mean_of(values), truth);
             values.clear();

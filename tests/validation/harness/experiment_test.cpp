@@ -97,7 +97,9 @@ BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
 BOOST_AUTO_TEST_CASE(findings_are_judged_together_and_left_behind) {
     TemporaryDirectory const directory("experiment");
     auto const concluded = [&](double const measured, Verdict const required) {
-        Experiment experiment(question, {Profile::quick, directory.path});
+        Options options;
+        options.directory = directory.path;
+        Experiment experiment(question, options);
         Findings findings("sum", "$s$");
         findings.add(
             {"four", "$4$", 2, {.measured = {4, 0.0078125}, .reference = 4, .margin = 0.125}});
