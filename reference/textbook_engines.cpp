@@ -99,7 +99,7 @@ private:
 template <class Real, class Container> class CellsByFloor {
 public:
     CellsByFloor(System const& system, Container const& cube)
-        : cube_(cube), lattice_(system, cube, system.diameter, 0.6),
+        : cube_(cube), lattice_(system, cube, system.diameter, 0.6, 5),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)) {}
 
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
