@@ -51,11 +51,4 @@ struct PeriodicFluid {
     }
 };
 
-/// Replicate by replicate, one of the numbers that each measured.
-inline Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const value) {
-    std::vector<double> values;
-    for (Measurement const& measurement : replicates) values.push_back(measurement.at(value));
-    return mean_of(values);
-}
-
 } // namespace clack::validation

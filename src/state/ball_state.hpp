@@ -175,7 +175,7 @@ template <class Real, class Container> Checkpoint BallState<Real, Container>::ch
     kept.epoch = clock.epoch;
     kept.offset.resize(static_cast<std::size_t>(kept.limbs));
     write_limbs(clock.offset, kept.offset.data());
-    auto const numbers_a_ball = static_cast<std::size_t>(7 * kept.limbs);
+    auto const numbers_a_ball = 7 * static_cast<std::size_t>(kept.limbs);
     kept.records.resize(balls.size() * numbers_a_ball);
     kept.images = Eigen::Matrix3Xi::Zero(3, count());
     for (std::size_t i = 0; i < balls.size(); ++i) {
