@@ -42,7 +42,8 @@ PercusYevick::PercusYevick(double const packing_fraction, double const reach)
     constexpr double step = 1.0 / n;
     double const weight = 12 * packing_fraction * step;
     auto const last = static_cast<int>(std::ceil(reach * n)) + 1;
-    values_.reserve(static_cast<std::size_t>(last - n + 1));
+    int const points = last - n + 1;
+    values_.reserve(static_cast<std::size_t>(points));
     for (int i = n; i <= last; ++i) {
         double sum = 0;
         for (int t = 1; t <= n; ++t) {

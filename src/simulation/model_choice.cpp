@@ -18,11 +18,14 @@ namespace {
 double table_max(System const& system) { return system.boundary == Boundary::walls ? 10 : 16; }
 
 /// Dense enough for lists to cost less than cells: the more balls, the later, since lists are
-/// longer to read than cells where memory is far.
+/// longer to read than cells where memory is far, until the calendar asks for them in time.
 bool lists_pay(System const& system) {
     using List = NeighbourList<double, PeriodicCube<double>>;
-    auto const count = static_cast<double>(system.count);
-    return system.packing_fraction() >= 0.27 + 0.035 * std::log10(count) && List::fits(system);
+    constexpr std::int64_t foreseen_from = 12'288;
+    double const least = system.count < foreseen_from
+                             ? 0.27 + 0.035 * std::log10(static_cast<double>(system.count))
+                             : 0.34;
+    return system.packing_fraction() >= least && List::fits(system);
 }
 
 /// Up to so many balls it costs less to look at all of them than to keep an index. A ball between

@@ -37,7 +37,7 @@ namespace {
 Measurement read_all(int const pipe) {
     Measurement values;
     double value = 0;
-    while (read(pipe, &value, sizeof value) == static_cast<ssize_t>(sizeof value))
+    while (::read(pipe, &value, sizeof value) == static_cast<ssize_t>(sizeof value))
         values.push_back(value);
     return values;
 }
