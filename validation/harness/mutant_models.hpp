@@ -92,8 +92,7 @@ template <class Real> struct RoundedVelocities : ElasticBalls<Real> {
 
     Vector3<Real> collide(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
                           Vector3<Real> const& separation, std::uint64_t /*collision*/) const {
-        Vector3<Real> const impulse =
-            exchange_normal_velocities(velocity_i, velocity_j, separation);
+        Vector3<Real> impulse = exchange_normal_velocities(velocity_i, velocity_j, separation);
         velocity_i = velocity_i.template cast<float>().template cast<Real>();
         velocity_j = velocity_j.template cast<float>().template cast<Real>();
         return impulse;

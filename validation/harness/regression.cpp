@@ -20,9 +20,9 @@ namespace clack::validation {
 
 namespace {
 
-using Key = std::tuple<std::string, std::string, int>;
+using Label = std::tuple<std::string, std::string, int>;
 
-Key key_of(Known const& known) { return {known.experiment, known.state_point, known.place}; }
+Label label_of(Known const& known) { return {known.experiment, known.state_point, known.place}; }
 
 /// t and its degrees of freedom, by Welch and Satterthwaite.
 Shift compared(Known const& before, Known const& now) {
@@ -101,13 +101,13 @@ void write_baseline(std::filesystem::path const& path, std::vector<Known> const&
 }
 
 std::vector<Shift> shifts(std::vector<Known> const& before, std::vector<Known> const& now) {
-    std::map<Key, Known> by_key;
-    for (Known const& known : before) by_key[key_of(known)] = known;
+    std::map<Label, Known> by_label;
+    for (Known const& known : before) by_label[label_of(known)] = known;
     std::vector<Shift> all;
     std::vector<double> p_values;
     for (Known const& known : now) {
-        auto const found = by_key.find(key_of(known));
-        if (found == by_key.end()) continue;
+        auto const found = by_label.find(label_of(known));
+        if (found == by_label.end()) continue;
         all.push_back(compared(found->second, known));
         p_values.push_back(all.back().p);
     }

@@ -24,21 +24,17 @@ struct Request {
 
 constexpr std::size_t shown = 20; // rows on the terminal; the file has all
 
-int compare(Request const& request) {
+std::vector<Known> measured_now(Request const& request) {
     std::vector<Known> now;
     for (std::string const& stem : request.stems) {
         auto const known = known_of(request.directory, stem, CLACK_VERSION);
         now.insert(now.end(), known.begin(), known.end());
     }
-    std::vector<Known> before;
-    if (!request.renew || std::filesystem::exists(request.baseline))
-        before = read_baseline(request.baseline);
+    return now;
+}
 
-    auto const all = shifts(before, now);
-    if (all.empty() && !request.renew)
-        throw InputError(fmt::format("{}: holds nothing that {} has: the baseline is of the quick "
-                                     "profile; measure that first",
-                                     request.baseline, request.directory));
+/// Prints and writes all; returns how many have shifted.
+std::size_t tell(std::vector<Shift> const& all, std::string const& directory) {
     Csv csv({"experiment", "place", "before", "before_error", "now", "now_error", "z", "p_holm"});
     std::size_t shifted = 0;
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -52,7 +48,22 @@ int compare(Request const& request) {
                                      z, p, old.experiment, old.state_point, old.place, fresh.mean,
                                      fresh.error, old.mean, old.error);
     }
-    write_file(std::filesystem::path(request.directory) / "regression.csv", csv.text({}));
+    write_file(std::filesystem::path(directory) / "regression.csv", csv.text({}));
+    return shifted;
+}
+
+int compare(Request const& request) {
+    std::vector<Known> const now = measured_now(request);
+    std::vector<Known> before;
+    if (!request.renew || std::filesystem::exists(request.baseline))
+        before = read_baseline(request.baseline);
+
+    auto const all = shifts(before, now);
+    if (all.empty() && !request.renew)
+        throw InputError(fmt::format("{}: holds nothing that {} has: the baseline is of the quick "
+                                     "profile; measure that first",
+                                     request.baseline, request.directory));
+    std::size_t const shifted = tell(all, request.directory);
     std::cout << fmt::format("{} values compared, {} shifted; {} of the baseline's {} not measured "
                              "now, {} new\n",
                              all.size(), shifted, before.size() - all.size(), before.size(),
