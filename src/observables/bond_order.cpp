@@ -22,8 +22,9 @@ double bond_order(System const& system, Snapshot const& snapshot, double const r
         ++bonds;
         double const azimuth = std::atan2(separation.y(), separation.x());
         for (int m = 0; m <= degree; ++m)
-            sums[static_cast<std::size_t>(m)] += std::polar(
-                gsl_sf_legendre_sphPlm(degree, m, separation.z() / distance), m * azimuth);
+            sums[static_cast<std::size_t>(m)] +=
+                gsl_sf_legendre_sphPlm(degree, m, separation.z() / distance) *
+                std::polar(1.0, m * azimuth);
     });
     if (bonds == 0) return 0;
     double squares = std::norm(sums[0]);

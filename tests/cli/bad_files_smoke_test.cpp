@@ -123,7 +123,7 @@ frame_interval = 0.2
 
 // AddressSanitizer reserves terabytes of address space: no program that it watches starts under a
 // limit on that.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef CLACK_SANITIZED
 constexpr bool address_space_can_be_limited = false;
 #else
 constexpr bool address_space_can_be_limited = true;
