@@ -90,7 +90,9 @@ ModelChoice choose_model(System const& system, Method method, Precision) {
                 "the box is below four diameters: all pairs and images are checked"};
     }
     using Cells = CellGrid<double, PeriodicCube<double>>;
-    if (!Cells::fits(system)) {
+    bool const few =
+        method == Method::automatic && static_cast<double>(system.count) <= table_max(system);
+    if (!Cells::fits(system) && !few) {
         return {SearchKind::every_pair,
                 method == Method::heap ? QueueKind::binary_heap : QueueKind::calendar,
                 "the box is too narrow for cells: all pairs are checked"};
