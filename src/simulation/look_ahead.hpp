@@ -5,7 +5,6 @@
 #include "state/ball_state.hpp"
 #include "state/prefetch.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace clack {

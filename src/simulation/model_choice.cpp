@@ -1,6 +1,7 @@
 #include "simulation/model_choice.hpp"
 
 #include "neighbours/neighbour_list.hpp"
+#include "scheduling/calendar.hpp"
 #include "state/container.hpp"
 
 #include <algorithm>
@@ -15,14 +16,16 @@ namespace {
 // are within a tenth, and the experiment `price_of_generality` watches that they stay so.
 
 /// Up to so many balls a queue saves less than it costs.
-double table_max(System const& system) { return system.boundary == Boundary::walls ? 10 : 16; }
+std::int64_t table_max(System const& system) {
+    return system.boundary == Boundary::walls ? 10 : 16;
+}
 
 /// Dense enough for lists to cost less than cells: the more balls, the later, since lists are
 /// longer to read than cells where memory is far, until the calendar asks for them in time.
 bool lists_pay(System const& system) {
     using List = NeighbourList<double, PeriodicCube<double>>;
-    constexpr std::int64_t foreseen_from = 12'288;
-    double const least = system.count < foreseen_from
+    constexpr auto foresight_from = static_cast<std::int64_t>(Calendar<double>::foresight_from);
+    double const least = system.count < foresight_from
                              ? 0.27 + 0.035 * std::log10(static_cast<double>(system.count))
                              : 0.34;
     return system.packing_fraction() >= least && List::fits(system);
@@ -67,12 +70,7 @@ ModelChoice fast(System const& system) {
 }
 
 ModelChoice automatic(System const& system) {
-    auto const count = static_cast<double>(system.count);
-    if (count <= table_max(system)) {
-        return {SearchKind::every_pair, QueueKind::collision_table,
-                "so few balls that the report's table is quickest"};
-    }
-    if (count <= every_pair_max(system)) {
+    if (static_cast<double>(system.count) <= every_pair_max(system)) {
         return {SearchKind::every_pair, QueueKind::calendar,
                 "so few balls that checking all pairs is quickest"};
     }
@@ -89,10 +87,12 @@ ModelChoice choose_model(System const& system, Method method, Precision) {
         return {SearchKind::every_pair, QueueKind::binary_heap,
                 "the box is below four diameters: all pairs and images are checked"};
     }
+    if (method == Method::automatic && system.count <= table_max(system)) {
+        return {SearchKind::every_pair, QueueKind::collision_table,
+                "so few balls that the report's table is quickest"};
+    }
     using Cells = CellGrid<double, PeriodicCube<double>>;
-    bool const few =
-        method == Method::automatic && static_cast<double>(system.count) <= table_max(system);
-    if (!Cells::fits(system) && !few) {
+    if (!Cells::fits(system)) {
         return {SearchKind::every_pair,
                 method == Method::heap ? QueueKind::binary_heap : QueueKind::calendar,
                 "the box is too narrow for cells: all pairs are checked"};
