@@ -2,6 +2,7 @@
 // What the failure atlas asks of every method alike: the balls at a few moments, and whom they met.
 
 #include "validation/atlas_problem.hpp"
+#include "validation/harness/worse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +41,7 @@ inline double largest_distance(Problem const& problem, Eigen::Matrix3Xd const& o
     if (problem.system.boundary == Boundary::periodic)
         apart -= side * (apart / side).array().round().matrix();
     double largest = 0;
-    for (double const distance : apart.colwise().norm())
-        if (!(distance <= largest)) largest = distance;
+    for (double const distance : apart.colwise().norm()) largest = worse(largest, distance);
     return largest;
 }
 

@@ -16,9 +16,7 @@ Question const question{
     "of finitely many balls at constant energy, and the free flights of a dilute gas neither "
     "exponential nor their number Poisson's?",
     "0.25 % for the laws of encounters: half of what it does to <b^2> to lose one grazing "
-    "collision "
-    "in a hundred; for free flights half the distance from an exponential law; probability of a "
-    "false alarm 1 % over all comparisons and 1 % over all tests of fit"};
+    "collision in a hundred; for free flights half the distance from an exponential law"};
 
 /// One of the histograms of all points, with errors from the replicates.
 Csv histogram(std::vector<StatePoint> const& points,

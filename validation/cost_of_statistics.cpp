@@ -19,11 +19,11 @@ using namespace cost_of_statistics;
 
 Question const question{
     "cost_of_statistics",
-    "Does the engine's error of the compressibility factor fall as the root of the processor time "
-    "without end, where steps of time and soft balls stop at a bias?",
-    "slope of the error's logarithm by that of the time -1/2 +- 0.15: far from the 0 of a bias and "
-    "from the -1 of a method that integrates; bias of the engine 0 +- 0.3 % of Z, a tenth of that "
-    "of the softest balls; those of the others are shown; probability of a false alarm 1 %"};
+    "Does the engine's error of the compressibility factor fall as the root of the processor time"
+    " without end, where steps of time and soft balls stop at a bias?",
+    "slope of the error's logarithm by that of the time -1/2 +- 0.15: far from the 0 of a bias "
+    "and from the -1 of a method that integrates; bias of the engine 0 +- 0.3 % of Z, a tenth of "
+    "that of the softest balls; those of the others are shown"};
 
 constexpr double slope_margin = 0.15, bias_margin = 3e-3;
 

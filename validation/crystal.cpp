@@ -13,14 +13,11 @@ using namespace crystal;
 Question const question{
     "crystal",
     "Does the pressure of the face-centred cubic crystal, by virial and by collision rate, obey "
-    "the "
-    "equations of state of Schultz and of Speedy up to the divergence at close packing, and does "
-    "it remain that crystal?",
+    "the equations of state of Schultz and of Speedy up to the divergence at close packing, and "
+    "does it remain that crystal?",
     "0.4 % of Z, four tenths of what a diameter wrong by 0.1 % does and room for the terms of "
-    "order "
-    "1/N that are left out; 0.4 % of the slope of the divergence, twice 1/N; half of the bond "
-    "order, which "
-    "tells the crystal from a fluid; probability of a false alarm 1 % over all comparisons"};
+    "order 1/N that are left out; 0.4 % of the slope of the divergence, twice 1/N; half of the "
+    "bond order, which tells the crystal from a fluid"};
 
 Csv csv_of(std::vector<PeriodicRun> const& points,
            std::vector<std::vector<Measurement>> const& all) {

@@ -13,12 +13,12 @@ using namespace equation_of_state;
 
 Question const question{
     "equation_of_state",
-    "Does the pressure of a periodic fluid of hard balls, by virial, by collision rate and by the "
-    "contact value of g(r), obey the equations of state of Kolafa, Labik and Malijevsky (modified) "
-    "and of Schultz with the 1/N term, and do the three ways to it agree?",
+    "Does the pressure of a periodic fluid of hard balls, by virial, by collision rate and by the"
+    " contact value of g(r), obey the equations of state of Kolafa, Labik and Malijevsky "
+    "(modified) and of Schultz with the 1/N term, and do the three ways to it agree?",
     "0.2 % of the collisional part Zc (full profile 0.1 %): two thirds (one third) of what a "
     "diameter wrong by 0.1 % does where it does least; for the contact value, which is "
-    "extrapolated, five times as much; probability of a false alarm 1 % over all comparisons"};
+    "extrapolated, five times as much"};
 
 constexpr std::size_t kinds = 6; // of comparisons at a point
 

@@ -13,11 +13,10 @@ using namespace freezing;
 Question const question{
     "freezing",
     "Do the measured pressures of fluid and crystal follow their equations of state about "
-    "coexistence, do their chemical potentials meet at its known pressure, and does a fluid beyond "
-    "it not pass for the crystal?",
+    "coexistence, do their chemical potentials meet at its known pressure, and does a fluid "
+    "beyond it not pass for the crystal?",
     "0.4 % of Z, about half of what a diameter wrong by 0.1 % does; 1 % of the pressure of "
-    "coexistence, some twice what that much of Z in the fluid shifts it by; probability of a "
-    "false alarm 1 % over all comparisons"};
+    "coexistence, some twice what that much of Z in the fluid shifts it by"};
 
 using All = std::vector<std::vector<Measurement>>;
 

@@ -19,10 +19,9 @@ Question const question{
     "lyapunov",
     "How fast does a small error grow, by the collisions of a ball, over packing fraction and "
     "number; do tangent space and twin runs agree on it; and does the program's formula hold?",
-    "twins against the tangent vector along the same run: 0.1 %, beyond what quad rounds and what "
-    "curves at the last distance, and far less than a wrong term would change; the formula against "
-    "tangent space: 6 %, two collisions per ball of a horizon of thirty; probability of a false "
-    "alarm 1 % over all"};
+    "twins against the tangent vector along the same run: 0.1 %, beyond what quad rounds and what"
+    " curves at the last distance, and far less than a wrong term would change; the formula "
+    "against tangent space: 6 %, two collisions per ball of a horizon of thirty"};
 
 constexpr double twin_margin = 1e-3, formula_margin = 0.06;
 

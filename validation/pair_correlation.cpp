@@ -10,12 +10,11 @@ using namespace pair_correlation;
 
 Question const question{
     "pair_correlation",
-    "Does g(r) follow Percus and Yevick where it is right, in a dilute fluid, and Verlet and Weis "
-    "in dense ones; is its contact value that of the pressure; and is S(k) for long waves the "
+    "Does g(r) follow Percus and Yevick where it is right, in a dilute fluid, and Verlet and Weis"
+    " in dense ones; is its contact value that of the pressure; and is S(k) for long waves the "
     "compressibility?",
-    "1 % of the contact value for itself and for the dilute g(r), 3 % for the dense one, what its "
-    "authors leave open; 6 % for long waves, several standard errors; probability of a false alarm "
-    "1 % over all comparisons"};
+    "1 % of the contact value for itself and for the dilute g(r), 3 % for the dense one, what its"
+    " authors leave open; 6 % for long waves, several standard errors"};
 
 struct Row {
     StatePoint point;

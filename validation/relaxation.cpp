@@ -15,8 +15,7 @@ Question const question{
     "From equal speeds, from one moving ball and from two temperatures in two halves: does "
     "Boltzmann's H fall, never rise, and fall as fast as Kac's walk, the law of the dilute gas?",
     "4 % of what H has to lose and 5 % of the collisions: a relaxation a tenth too fast or too "
-    "slow would not pass; probability of a false alarm 1 % over all comparisons and 1 % over the "
-    "three tests that H never rises"};
+    "slow would not pass"};
 
 void add_course(Csv& csv, StatePoint const& point, std::vector<Measurement> const& gas,
                 std::vector<Measurement> const& walks) {

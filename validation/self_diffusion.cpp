@@ -17,7 +17,7 @@ Question const question{
     "gas, and does it grow with the box as the hydrodynamics of its images says?",
     "routes: 2 %, the tenth part of what a fluid adds to Enskog's value; dilute: half of what "
     "Sonine's polynomials beyond the first add; slope with 1/side: 25 %, for what Enskog's "
-    "viscosity and the next power of 1/side may be off; probability of a false alarm 1 % over all"};
+    "viscosity and the next power of 1/side may be off"};
 
 Csv curve() {
     Csv csv({"packing_fraction", "D_speedy_over_enskog"});

@@ -10,12 +10,11 @@ using namespace system_size;
 
 Question const question{
     "system_size",
-    "Does the compressibility factor of N balls in a periodic cube differ from that of infinitely "
-    "many by - 1/N - (rho / 2N) P'' / P'?",
+    "Does the compressibility factor of N balls in a periodic cube differ from that of infinitely"
+    " many by - 1/N - (rho / 2N) P'' / P'?",
     "0.15 % of the collisional part at each N, half of what a diameter wrong by 0.1 % does; a "
-    "third "
-    "of the slope against 1/N, which N in the place of N - 1 would change by more than itself; "
-    "probability of a false alarm 1 % over all comparisons"};
+    "third of the slope against 1/N, which N in the place of N - 1 would change by more than "
+    "itself"};
 
 Csv csv_of(std::vector<StatePoint> const& points,
            std::vector<std::vector<Measurement>> const& all) {

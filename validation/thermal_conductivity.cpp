@@ -15,7 +15,7 @@ Question const question{
     "Is the thermal conductivity of a dilute gas of hard balls, by Helfand's moment, that of "
     "Enskog?",
     "8 %, a sixth of what collisions add to Boltzmann's value at packing fraction 0.1, and room "
-    "for the 1/n of 108 balls; probability of a false alarm 1 % over all"};
+    "for the 1/n of 108 balls"};
 
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"packing_fraction", "$\\eta$"}, {"count", "$n$"}});

@@ -6,6 +6,7 @@
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/lattice_start.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/harness/worse.hpp"
 
 #include <fmt/format.h>
 
@@ -114,8 +115,7 @@ inline void look(Measurement& values, StatePoint const& point, Chain const& chai
     auto const exact = ghosts.positions(time);
     double worst = 0;
     for (std::size_t i = 0; i < exact.size(); ++i)
-        worst =
-            std::max(worst, std::abs(shot.positions(0, static_cast<Eigen::Index>(i)) - exact[i]));
+        worst = worse(worst, std::abs(shot.positions(0, static_cast<Eigen::Index>(i)) - exact[i]));
     Tallies const& tallies = engine.tallies();
     auto const balls = static_cast<double>(ghosts.ball_collisions(time));
     auto const walls = static_cast<double>(ghosts.wall_collisions(time));
@@ -157,7 +157,7 @@ inline void enter(Ledger& ledger, StatePoint const& point,
                   std::vector<Measurement> const& replicates) {
     double place = 0, lost = 0, hit = 0, wall = 0, virial = 0;
     auto const take = [](double& worst, double const value) {
-        if (!(std::abs(value) <= worst)) worst = std::abs(value);
+        worst = worse(worst, std::abs(value));
     };
     for (Measurement const& values : replicates) {
         for (int k = 0; k < look_count; ++k) {

@@ -13,12 +13,10 @@ using namespace velocity_autocorrelation;
 
 Question const question{
     "velocity_autocorrelation",
-    "Does the velocity autocorrelation begin with -2/3 of the collision rate, decay in the dilute "
-    "gas as Kac's walk does, and end in the predicted tail?",
+    "Does the velocity autocorrelation begin with -2/3 of the collision rate, decay in the dilute"
+    " gas as Kac's walk does, and end in the predicted tail?",
     "1.5 % of the slope; 0.005 of C(0), what a rate wrong by 1.4 % does; a third of the tail, "
-    "which "
-    "is judged in the full profile, for Enskog's coefficients in it; probability of a false alarm "
-    "1 % over all"};
+    "which is judged in the full profile, for Enskog's coefficients in it"};
 
 void add_curve(Csv& csv, StatePoint const& point, std::vector<Measurement> const& seen,
                std::vector<Measurement> const& walks) {

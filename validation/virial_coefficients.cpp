@@ -12,9 +12,8 @@ Question const question{
     "virial_coefficients",
     "Are the second, third and fourth virial coefficients, fitted together to the pressure of "
     "dilute fluids, those that are known exactly?",
-    "0.15 % of B2, half of what a diameter wrong by 0.1 % does; 3 % of B3 and 8 % of B4, "
-    "some five standard errors of the quick profile; "
-    "probability of a false alarm 1 % over all"};
+    "0.15 % of B2, half of what a diameter wrong by 0.1 % does; 3 % of B3 and 8 % of B4, some "
+    "five standard errors of the quick profile"};
 
 /// (Z - 1 - B2 eta) / eta^2, which begins as B3 + B4 eta, beside the series with more and more of
 /// its orders.

@@ -15,8 +15,7 @@ Question const question{
     "Are the shear viscosity and the bulk viscosity of a dilute gas of hard balls, by Helfand's "
     "moments, those of Enskog?",
     "shear: 5 %, a quarter of what collisions add to Boltzmann's value at packing fraction 0.1; "
-    "bulk: 15 %, for what Enskog leaves out at packing fraction 0.05; probability of a false alarm "
-    "1 % over all"};
+    "bulk: 15 %, for what Enskog leaves out at packing fraction 0.05"};
 
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"packing_fraction", "$\\eta$"}, {"count", "$n$"}});

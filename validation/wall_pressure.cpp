@@ -16,10 +16,9 @@ Question const question{
     "Is the force on the walls of a cube that of the bulk's equation of state with the terms of "
     "faces, edges and a fixed number of balls; is it, by the contact theorem, the density of "
     "centres at the walls; and is it exact for two balls?",
-    "0.05 % for two balls and 0.1 % where they have little room, four tenths of what walls off by "
-    "0.1 % do (0.2 % for their collisions); 0.3 % for many, three times the error of theory and "
-    "less than half of what such walls do to the densest; 2 % where a profile is extrapolated; "
-    "probability of a false alarm 1 % over all comparisons"};
+    "0.05 % for two balls and 0.1 % where they have little room, four tenths of what walls off by"
+    " 0.1 % do (0.2 % for their collisions); 0.3 % for many, three times the error of theory and "
+    "less than half of what such walls do to the densest; 2 % where a profile is extrapolated"};
 
 /// Pressure of a cube of many balls and what theory makes of it, term after term.
 struct Row {

@@ -21,12 +21,12 @@ using namespace work_precision;
 
 Question const question{
     "work_precision",
-    "What does one more correct digit cost with each method, where can it no longer be bought, and "
-    "do the engine's floating types last as long as their rounding allows?",
-    "the collisions per ball until a run in a floating type departs from the oracle's: at least 95 "
-    "% of those of the exact motion from a start whose numbers are off by one rounding unit; gain "
-    "from float to long double over that by the Lyapunov exponent: 1 +- 0.15, for exponents "
-    "fluctuate over so few collisions; probability of a false alarm 1 % over all"};
+    "What does one more correct digit cost with each method, where can it no longer be bought, "
+    "and do the engine's floating types last as long as their rounding allows?",
+    "the collisions per ball until a run in a floating type departs from the oracle's: at least "
+    "95 % of those of the exact motion from a start whose numbers are off by one rounding unit; "
+    "gain from float to long double over that by the Lyapunov exponent: 1 +- 0.15, for exponents "
+    "fluctuate over so few collisions"};
 
 constexpr double horizon_margin = 0.05, gain_margin = 0.15;
 
