@@ -35,13 +35,14 @@ std::vector<Known> measured_now(Request const& request) {
 
 /// Prints and writes all; returns how many have shifted.
 std::size_t tell(std::vector<Shift> const& all, std::string const& directory) {
-    Csv csv({"experiment", "place", "before", "before_error", "now", "now_error", "z", "p_holm"});
+    Csv csv({"experiment", "state_point", "place", "before", "before_error", "now", "now_error",
+             "z", "p_holm"});
     std::size_t shifted = 0;
     for (std::size_t k = 0; k < all.size(); ++k) {
         auto const& [old, fresh, z, p] = all[k];
         shifted += p < regression_false_alarm;
-        csv.row({old.experiment, cell(old.place), cell(old.mean), cell(old.error), cell(fresh.mean),
-                 cell(fresh.error), cell(z), cell(p)});
+        csv.row({old.experiment, old.state_point, cell(old.place), cell(old.mean), cell(old.error),
+                 cell(fresh.mean), cell(fresh.error), cell(z), cell(p)});
         if (k < shown && z != 0)
             std::cout << fmt::format("z = {:+9.3g}  p = {:.1e}  {} {} [{}]: {:.8g} +- {:.2g}, was "
                                      "{:.8g} +- {:.2g}\n",
