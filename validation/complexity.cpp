@@ -63,7 +63,7 @@ std::vector<Row> measured(Plan const& plan, Experiment& experiment) {
             rows.push_back(row);
         }
     }
-    auto const judgements = judge(comparisons);
+    auto const judgements = judge(comparisons, of_timing);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].judged = judgements[k];
     return rows;
 }

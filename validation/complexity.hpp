@@ -7,6 +7,7 @@
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/options.hpp"
 #include "validation/harness/processor_time.hpp"
+#include "validation/harness/ratio.hpp"
 #include "validation/harness/verdict.hpp"
 
 #include <fmt/format.h>

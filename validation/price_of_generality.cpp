@@ -72,7 +72,7 @@ std::vector<Contest> contests_at(Point const& point, int const replicates, Campa
 void decide(std::vector<Contest>& contests) {
     std::vector<Comparison> comparisons;
     for (Contest const& contest : contests) comparisons.push_back(at_least(0.9, contest.factor));
-    auto const judgements = judge(comparisons);
+    auto const judgements = judge(comparisons, of_timing);
     for (std::size_t k = 0; k < contests.size(); ++k) contests[k].verdict = judgements[k].verdict;
 }
 

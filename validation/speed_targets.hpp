@@ -98,13 +98,15 @@ inline void decide(std::vector<Target>& targets) {
     for (Target const& target : targets)
         if (is_judged(target.yardstick))
             together.push_back(at_least(least_of(target.yardstick), target.factor));
-    auto const judgements = judge(together);
+    auto const judgements = judge(together, of_timing);
     auto next = judgements.begin();
     for (Target& target : targets)
         target.verdict =
             is_judged(target.yardstick)
                 ? (next++)->verdict
-                : judge({at_least(least_of(target.yardstick), target.factor)}).front().verdict;
+                : judge({at_least(least_of(target.yardstick), target.factor)}, of_timing)
+                      .front()
+                      .verdict;
 }
 
 /// The point of the same packing fraction with `not_small` balls.

@@ -99,8 +99,10 @@ BOOST_AUTO_TEST_CASE(choice_that_is_slow_is_caught) {
         over_heap.push_back(slow[1]);
         truly.push_back(measure(many, seed)[1]);
     }
-    BOOST_TEST((judge({at_least(0.9, median_of(over_heap))}).front().verdict == Verdict::differs));
-    BOOST_TEST((judge({at_least(0.9, median_of(truly))}).front().verdict != Verdict::differs));
+    BOOST_TEST((judge({at_least(0.9, median_of(over_heap))}, of_timing).front().verdict ==
+                Verdict::differs));
+    BOOST_TEST(
+        (judge({at_least(0.9, median_of(truly))}, of_timing).front().verdict != Verdict::differs));
 }
 
 // Reasons and bounds of the choice: each kind of scene by its own model.

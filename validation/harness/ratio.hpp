@@ -21,6 +21,10 @@ inline Estimate median_of(std::vector<double> values) {
     return {median, std::sqrt(std::numbers::pi / 2) * mean.error, mean.degrees_of_freedom};
 }
 
+/// The risks where times are compared: a few replicates on a machine with other work could not
+/// tell anything apart by those of an experiment that counts.
+constexpr Risks of_timing{.false_alarm = 0.01};
+
 /// "Is the factor at least this?" as a comparison of logarithms, which agrees anywhere between
 /// `least` and a factor that nothing reaches.
 inline Comparison at_least(double const least, Estimate const& factor) {

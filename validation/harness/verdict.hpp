@@ -28,10 +28,10 @@ struct Comparison {
     double margin = 0;
 };
 
-/// The probabilities of a wrong verdict. Twenty families of comparisons, more than the quick
+/// The probabilities of a wrong verdict. Thirty families of comparisons, more than the quick
 /// profile judges, raise a false alarm with a probability of 1e-4 at most.
 struct Risks {
-    double false_alarm = 1e-4 / 20; // any of the comparisons `differs` though none does
+    double false_alarm = 1e-4 / 30; // any of the comparisons `differs` though none does
     double false_agreement = 0.05;  // one comparison `agrees` though it differs by the margin
 };
 
