@@ -23,6 +23,7 @@ struct RunOptions {
     Progress progress = Progress::shown;
     ShowHash hash = ShowHash::no;
     Form form = Form::text;
+    int threads = 1; // or 2
 };
 
 /// From a scene to a trajectory.
@@ -34,6 +35,7 @@ struct ResumeOptions {
     Progress progress = Progress::shown;
     ShowHash hash = ShowHash::no;
     Form form = Form::text;
+    int threads = 1; // or 2
 };
 
 /// Goes on where a file stops, to the same bits.

@@ -42,6 +42,12 @@ template <class Options> void add_run_options(CLI::App& command, Options& option
         "the hash of the collision sequence in the summary");
     command.add_flag_callback(
         "--json", [&] { options.form = Form::json; }, "the summary as one JSON object");
+    command
+        .add_option("--threads", options.threads,
+                    "1, or 2: a second one reads ahead in memory, to the same bits; for 65536 "
+                    "balls and more")
+        ->type_name("N")
+        ->check(CLI::Range(1, 2));
 }
 
 void add_run(CLI::App& app, std::function<int()>& chosen, RunOptions& options) {

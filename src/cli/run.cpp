@@ -30,6 +30,7 @@ int run_command(RunOptions const& options) {
     require_memory(scene);
     require_writable(output);
     auto const engine = start_engine(scene);
+    use_threads(*engine, options.threads);
 
     TrajectoryWriter writer(output, header_of(scene, *engine));
     ProgressLine line(options.progress);

@@ -157,6 +157,23 @@ public:
                 prefetch(&cells_.block(face + in_u + in_v));
     }
 
+    /// What the two before would read, as far as it is in the cells' first blocks, to visit(ball);
+    /// another thread may be changing it.
+    template <class Visit> void glance_around(Cell const& cell, Visit&& visit) const {
+        auto const x = lines(0, cell), y = lines(1, cell), z = lines(2, cell);
+        for (std::size_t in_z : z)
+            for (std::size_t in_y : y)
+                for (std::size_t in_x : x) cells_.glance_at(in_z + in_y + in_x, visit);
+    }
+    template <class Visit>
+    void glance_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
+                       Visit&& visit) const {
+        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
+        for (std::size_t in_u : lines((axis + 1) % 3, cell))
+            for (std::size_t in_v : lines((axis + 2) % 3, cell))
+                cells_.glance_at(face + in_u + in_v, visit);
+    }
+
     /// The next cell along an axis, through the boundary where it is periodic.
     std::int32_t next(std::int32_t coordinate, std::int32_t direction) const {
         std::int32_t const there = coordinate + direction;

@@ -139,6 +139,19 @@ public:
         bins_.fetch_beyond(crossing.to, crossing.axis, crossing.direction);
     }
 
+    /// The balls that `candidates` and `refresh` would find, for a thread that only looks.
+    template <class Visit>
+    void glance_at_candidates(std::vector<Ball<Real>> const&, std::int32_t ball,
+                              Visit&& visit) const {
+        bins_.glance_around(bins_.cell_of(ball), visit);
+    }
+    template <class Visit>
+    void glance_at_fresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
+                         Visit&& visit) const {
+        Crossing const crossing = crossing_of(balls, ball);
+        bins_.glance_beyond(crossing.to, crossing.axis, crossing.direction, visit);
+    }
+
     std::size_t bytes() const { return bins_.bytes() + found_.bytes(); }
 
 private:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace clack {
 
@@ -40,8 +41,10 @@ public:
             centre_[i] = centre_at(balls[i].position(now));
             bins_.insert(static_cast<std::int32_t>(i), lattice_.cell_at(place_of(centre_[i])));
         }
-        for (std::int32_t i = 0; i < static_cast<std::int32_t>(balls.size()); ++i)
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(balls.size()); ++i) {
             write(i, near(i));
+            outgrown_.clear(); // nobody looks on
+        }
     }
 
     std::span<std::int32_t const> candidates(std::int32_t ball) const {
@@ -94,20 +97,39 @@ public:
         bins_.fetch(ball);
     }
     void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        for (std::int32_t const other : candidates(ball)) prefetch(balls.data() + other);
+        glance_at_candidates(balls, ball,
+                             [&](std::int32_t other) { prefetch(balls.data() + other); });
     }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
         bins_.fetch_around(bins_.cell_of(ball));
-        for (std::int32_t const other : candidates(ball)) {
+        glance_at_candidates(balls, ball, [&](std::int32_t other) {
             prefetch(balls.data() + other);
             prefetch(row(other));
             prefetch(centre_.data() + other);
-        }
+        });
+    }
+
+    /// The balls that `candidates` would find in a list's first line, for a thread that only looks.
+    template <class Visit>
+    void glance_at_candidates(std::vector<Ball<Real>> const&, std::int32_t ball,
+                              Visit&& visit) const {
+        // Whoever sees the new width sees the rows that have it.
+        std::size_t const width = __atomic_load_n(&width_, __ATOMIC_ACQUIRE);
+        std::int32_t const* const list =
+            list_.front().data() + static_cast<std::size_t>(ball) * width;
+        for (std::size_t k = 0; k < line_balls; ++k) visit(glance(list[k]));
+    }
+    template <class Visit>
+    void glance_at_fresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
+                         Visit&& visit) const {
+        glance_at_candidates(balls, ball, visit); // most of the new ones are old ones
     }
 
     std::size_t bytes() const {
-        return bins_.bytes() + centre_.capacity() * sizeof(Centre) +
-               list_.capacity() * sizeof(Line) + found_.bytes() + near_.bytes() + added_.bytes();
+        std::size_t lines = list_.capacity();
+        for (auto const& old : outgrown_) lines += old.capacity();
+        return bins_.bytes() + centre_.capacity() * sizeof(Centre) + lines * sizeof(Line) +
+               found_.bytes() + near_.bytes() + added_.bytes();
     }
 
 private:
@@ -262,7 +284,8 @@ private:
             if (!list_.empty()) std::copy_n(row(static_cast<std::int32_t>(i)), width_, to);
         }
         list_.swap(wider);
-        width_ = width;
+        __atomic_store_n(&width_, width, __ATOMIC_RELEASE);
+        outgrown_.push_back(std::move(wider));
     }
 
     Container cube_;
@@ -276,7 +299,8 @@ private:
     std::vector<Centre> centre_;
     std::vector<Line> list_; // one row of width_ balls each
     std::size_t width_ = 0;
-    BallBuffer found_, near_, added_; // reused
+    std::vector<std::vector<Line>> outgrown_; // rows that another thread may still be looking at
+    BallBuffer found_, near_, added_;         // reused
 };
 
 } // namespace clack

@@ -63,6 +63,20 @@ public:
     /// The ball of the event that is so many places behind the first, if it is known yet.
     std::int32_t upcoming(std::size_t places) const { return bucket_.upcoming(places); }
 
+    /// Buckets since `base_`; rounding in the product is monotonic, so order between buckets holds.
+    std::int64_t bucket_at(Real time) const {
+        Real const index = (time - base_) * inverse_width_;
+        Real const far = static_cast<Real>(0x1p62);
+        return index < far ? static_cast<std::int64_t>(index) : static_cast<std::int64_t>(0x1p62);
+    }
+
+    /// For a thread that only looks: the bucket that is open, and the balls that are filed under a
+    /// later one, to visit(ball).
+    std::int64_t open_bucket() const { return glance(open_); }
+    void fetch_bucket(std::int64_t bucket) const { prefetch(&ring_.block(slot_of(bucket))); }
+    template <class Visit> void glance_at(std::int64_t bucket, Visit&& visit) const {
+        ring_.glance_at(slot_of(bucket), visit);
+    }
     std::size_t bytes() const { return ring_.bytes() + bucket_.bytes(); }
 
 private:
@@ -81,13 +95,6 @@ private:
         }
         Real const width = static_cast<Real>(balls_per_bucket) * sum / (waiting * waiting);
         return width > 0 && width < infinity<Real> ? width : Real(1);
-    }
-
-    /// Buckets since `base_`; rounding in the product is monotonic, so order between buckets holds.
-    std::int64_t bucket_at(Real time) const {
-        Real const index = (time - base_) * inverse_width_;
-        Real const far = static_cast<Real>(0x1p62);
-        return index < far ? static_cast<std::int64_t>(index) : static_cast<std::int64_t>(0x1p62);
     }
 
     std::size_t slot_of(std::int64_t bucket) const {

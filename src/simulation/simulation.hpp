@@ -9,10 +9,12 @@
 #include "simulation/engine.hpp"
 #include "simulation/laws.hpp"
 #include "simulation/look_ahead.hpp"
+#include "simulation/scout.hpp"
 #include "state/ball_state.hpp"
 
 #include <algorithm>
 #include <concepts>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -46,6 +48,7 @@ public:
     /// The event loop. Events come in their total order; what an event is depends on the records
     /// alone, so any search and any queue go the same way to the last bit.
     template <class Observer> Stop advance(Goal const& goal, Observer&& observe) {
+        typename Lookout::Watch const watch(scout_.get());
         Clock<Real> const until = moment<Real>(goal.time, clock_.length);
         for (std::uint64_t events = 0;; ++events) {
             if (tallies_.ball_collisions >= goal.ball_collisions) return Stop::collisions;
@@ -59,7 +62,9 @@ public:
             }
             if (!(time < static_cast<Real>(clock_.length))) {
                 if (ball == no_event && goal.time == infinity<double>) return Stop::never;
+                if (scout_) scout_->halt();
                 begin_epoch();
+                if (scout_) scout_->go();
                 continue;
             }
             if constexpr (can_look_ahead) {
@@ -70,6 +75,14 @@ public:
             take(ball, observe);
         }
     }
+
+    /// From now on a second thread reads ahead, where that is possible.
+    void read_ahead() {
+        if constexpr (Lookout::possible) {
+            if (!scout_) scout_ = std::make_unique<Lookout>(state_, next_, search_, queue_);
+        }
+    }
+    int threads() const { return scout_ ? 2 : 1; }
 
     /// Makes the present moment time 0 and forgets what was counted.
     void start_clock() {
@@ -89,6 +102,9 @@ private:
     static constexpr bool periodic = Container<Real>::boundary == Boundary::periodic;
     static constexpr bool can_look_ahead =
         LookAhead::possible<Search<Real, Container<Real>>, Queue<Real>>;
+
+    using Lookout =
+        Scout<BallState<Real, Container<Real>>, Real, Search<Real, Container<Real>>, Queue<Real>>;
 
     auto scenery() const {
         return Scenery<Real, Container<Real>, Model<Real>>{state_.balls, state_.numbers,
@@ -282,6 +298,7 @@ private:
     Queue<Real> queue_;
     Laws<Real> laws_;
     bool several_images_;
+    std::unique_ptr<Lookout> scout_; // the last one: it reads the others
 };
 
 } // namespace clack

@@ -1,17 +1,20 @@
 #pragma once
 // Many small bins of balls in one allocation: book-keeping only, no physics.
 
+#include "state/glance.hpp"
 #include "state/huge_pages.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace clack {
 
 /// A bin is a block of `places` and, when that is full, a chain of further blocks from a pool:
-/// nothing can overflow, and emptied blocks are used again.
+/// nothing can overflow, and emptied blocks are used again. The first blocks stay readable where
+/// they are until the next `reset`, for a thread that only looks.
 template <std::int32_t places> class ChainedBins {
 public:
     struct Block {
@@ -26,6 +29,7 @@ public:
         reserve_large(blocks_, bins + bins / 64);
         blocks_.assign(bins, Block{});
         free_ = end_of_chain;
+        outgrown_.clear();
     }
 
     void insert(std::size_t bin, std::int32_t ball) {
@@ -77,7 +81,20 @@ public:
     }
 
     Block const& block(std::size_t bin) const { return blocks_[bin]; }
-    std::size_t bytes() const { return blocks_.capacity() * sizeof(Block); }
+
+    /// Calls visit(ball) for the balls in a bin's first block, which another thread may be
+    /// changing.
+    template <class Visit> void glance_at(std::size_t bin, Visit&& visit) const {
+        Block const& block = blocks_[bin];
+        std::int32_t const count = glance(block.count);
+        for (std::int32_t k = 0; k < count; ++k)
+            visit(glance(block.ball[static_cast<std::size_t>(k)]));
+    }
+    std::size_t bytes() const {
+        std::size_t blocks = blocks_.capacity();
+        for (auto const& old : outgrown_) blocks += old.capacity();
+        return blocks * sizeof(Block);
+    }
 
 private:
     static std::size_t find(Block const& block, std::int32_t ball) {
@@ -93,8 +110,17 @@ private:
             blocks_[static_cast<std::size_t>(block)] = Block{};
             return block;
         }
+        if (blocks_.size() == blocks_.capacity()) grow();
         blocks_.emplace_back();
         return static_cast<std::int32_t>(blocks_.size() - 1);
+    }
+
+    void grow() {
+        std::vector<Block> wider;
+        wider.reserve(2 * blocks_.size());
+        wider = blocks_;
+        blocks_.swap(wider);
+        outgrown_.push_back(std::move(wider));
     }
 
     void give_back(std::int32_t block) {
@@ -104,6 +130,7 @@ private:
 
     std::int32_t free_ = end_of_chain;
     std::vector<Block> blocks_;
+    std::vector<std::vector<Block>> outgrown_;
 };
 
 } // namespace clack

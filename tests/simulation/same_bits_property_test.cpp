@@ -109,6 +109,30 @@ BOOST_AUTO_TEST_CASE(balls_that_move_in_memory_leave_no_trace) {
     }
 }
 
+/// Through many epochs and calls, so that it is stopped and started often.
+BOOST_AUTO_TEST_CASE(second_thread_that_reads_ahead_leaves_no_trace) {
+    for (auto const make : {assemble<PeriodicCube, CellGrid, Calendar>,
+                            assemble<PeriodicCube, NeighbourList, Calendar>}) {
+        System const system = made_up::system(Boundary::periodic, 4000, 0.3);
+        std::uint64_t hashes[2];
+        for (int threads : {1, 2}) {
+            auto state = fresh<PeriodicCube>(system);
+            state.clock.length = 0x1p-4;
+            auto const engine = make(std::move(state));
+            if (threads == 2) engine->read_ahead();
+            BOOST_TEST(engine->threads() == threads);
+            while (engine->advance({.time = 1, .events = 300}) == Stop::events) {
+            }
+            hashes[threads - 1] = engine->hash();
+        }
+        BOOST_TEST(hashes[0] == hashes[1]);
+    }
+    auto const heap = assemble<WalledCube, CellGrid, BinaryHeap>(
+        fresh<WalledCube>(made_up::system(Boundary::walls, 27, 0.1)));
+    heap->read_ahead();
+    BOOST_TEST(heap->threads() == 1);
+}
+
 BOOST_AUTO_TEST_CASE(clock_that_starts_late_gives_the_same_bits) {
     System const system = made_up::system(Boundary::walls, 108, 0.2);
     std::uint64_t wanted = 0;

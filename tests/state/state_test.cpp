@@ -1,4 +1,5 @@
 #include "state/ball_state.hpp"
+#include "state/chained_bins.hpp"
 #include "state/container.hpp"
 #include "tests/made_up_balls.hpp"
 
@@ -113,6 +114,21 @@ BOOST_AUTO_TEST_CASE(memory_order_is_a_permutation_that_brings_neighbours_togeth
     double const before = roughness();
     reorder(balls, order);
     BOOST_TEST(roughness() < before / 5);
+}
+
+/// What a thread that only looks relies on; the address sanitizer would see it gone.
+BOOST_AUTO_TEST_CASE(first_blocks_stay_readable_when_the_bins_outgrow_their_room) {
+    ChainedBins<6> bins;
+    bins.reset(4);
+    bins.insert(1, 7);
+    auto const& before = bins.block(1);
+    for (std::int32_t ball = 100; ball < 1000; ++ball) bins.insert(2, ball);
+    BOOST_TEST(&before != &bins.block(1)); // they have moved
+    BOOST_TEST(before.ball[0] == 7);
+    std::int32_t seen = -1;
+    bins.glance_at(1, [&](std::int32_t ball) { seen = ball; });
+    BOOST_TEST(seen == 7);
+    BOOST_TEST(bins.bytes() > 900 / 6 * sizeof before);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(checkpoint_gives_the_state_back_to_the_last_bit, Real, Reals) {

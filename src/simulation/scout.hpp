@@ -1,0 +1,155 @@
+#pragma once
+// A second thread that reads ahead, so that the memory has brought what the event loop asks for.
+
+#include "scheduling/next_events.hpp"
+#include "state/glance.hpp"
+#include "state/prefetch.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <cstdlib>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+namespace clack {
+
+/// Goes through the calendar's buckets some way ahead of the loop and asks for what their events
+/// will read. It writes nothing that the run reads, so that no bit can depend on it. What it reads
+/// the loop may be changing: on purpose, since any number that can be seen there is a ball, a bin
+/// or a place of a list, and an old one costs a hint. Arrays that move are kept where they were
+/// until the scout stands still.
+/// Measured on two cores of one cache, beside the look-ahead of the loop, at packing fractions
+/// 0.05, 0.20 and 0.49: 1.5, 1.55 and 1.2 times as fast at 256 000 balls, 1.6, 1.7 and 1.25 at
+/// 100 000, 1.3, 0.9 and 0.8 at 32 000.
+template <class State, class Real, class Search, class Queue> class Scout {
+public:
+    static constexpr bool possible =
+        sizeof(Real) <= sizeof(double) && requires(Search search, Queue queue) {
+        search.fetch(0);
+        queue.open_bucket();
+    };
+
+    Scout(State const& state, NextEvents<Real> const& next, Search const& search,
+          Queue const& queue)
+        : state_(state), next_(next), search_(search), queue_(queue),
+          thread_([this](std::stop_token const& stop) { run(stop); }) {}
+
+    /// May look on; once `halt` has returned it does not.
+    void go() {
+        {
+            std::lock_guard const lock(looking_);
+            goes_ = true;
+        }
+        wake_.notify_one();
+    }
+    void halt() {
+        goes_ = false; // it lets go of the lock all the sooner
+        std::lock_guard const lock(looking_);
+    }
+
+    /// It looks on while one of these lives.
+    class Watch {
+    public:
+        explicit Watch(Scout* scout) : scout_(scout) {
+            if (scout_) scout_->go();
+        }
+        ~Watch() {
+            if (scout_) scout_->halt();
+        }
+        Watch(Watch const&) = delete;
+        Watch& operator=(Watch const&) = delete;
+
+    private:
+        Scout* scout_;
+    };
+
+private:
+    void run(std::stop_token const& stop) {
+        while (!stop.stop_requested()) {
+            std::unique_lock lock(looking_);
+            if (!goes_ && !wake_.wait(lock, stop, [&] { return goes_.load(); })) return;
+            look_on();
+            lock.unlock();
+            while (goes_ && bucket_ == queue_.open_bucket() + far) std::this_thread::yield();
+        }
+    }
+
+    void look_on() {
+        for (int turn = 0; turn < 4; ++turn) {
+            std::int64_t const open = queue_.open_bucket();
+            if (bucket_ > open + far) bucket_ = open; // the calendar has started afresh
+            if (bucket_ == open + far) return;
+            bucket_ = std::max(bucket_ + 1, open + near);
+            look_at(bucket_);
+        }
+    }
+
+    /// Each thing is asked for when that which leads to it has come.
+    void look_at(std::int64_t bucket) const {
+        queue_.fetch_bucket(bucket + 12);
+        queue_.glance_at(bucket + 8, [&](std::int32_t ball) { prefetch(&next_[ball]); });
+        for_each_event(bucket + 6, [&](std::int32_t ball, std::int32_t partner, bool) {
+            fetch_own(ball);
+            if (partner >= 0) {
+                fetch_own(partner);
+                prefetch(&next_[partner]);
+            }
+        });
+        for_each_task(bucket + 3, [&](std::int32_t ball, bool expires) {
+            expires ? search_.fetch_for_refresh(state_.balls, ball)
+                    : search_.fetch_candidates(state_.balls, ball);
+        });
+        auto const fetch_record = [&](std::int32_t ball) { prefetch(&state_[ball]); };
+        for_each_task(bucket, [&](std::int32_t ball, bool expires) {
+            expires ? search_.glance_at_fresh(state_.balls, ball, fetch_record)
+                    : search_.glance_at_candidates(state_.balls, ball, fetch_record);
+        });
+    }
+
+    void fetch_own(std::int32_t ball) const {
+        prefetch(&state_[ball]);
+        search_.fetch(ball);
+    }
+
+    /// visit(ball, partner, expires) for the events that will be taken from a bucket.
+    template <class Visit> void for_each_event(std::int64_t bucket, Visit&& visit) const {
+        queue_.glance_at(bucket, [&](std::int32_t ball) {
+            NextEvent<Real> const& event = next_[ball];
+            Real const contact = glance(event.contact), expiry = glance(event.expiry);
+            bool const expires = expiry <= contact;
+            if (queue_.bucket_at(expires ? expiry : contact) == bucket)
+                visit(ball, glance(event.partner), expires);
+        });
+    }
+
+    /// visit(ball, expires) for the balls that will look for new contacts: both of a collision,
+    /// which is filed twice, once.
+    template <class Visit> void for_each_task(std::int64_t bucket, Visit&& visit) const {
+        for_each_event(bucket, [&](std::int32_t ball, std::int32_t partner, bool expires) {
+            if (expires || partner < 0) return visit(ball, expires);
+            if (partner < ball && glance(next_[partner].partner) == ball) return;
+            visit(ball, false);
+            visit(partner, false);
+        });
+    }
+
+    // Buckets ahead of the one that is open: nearer than `near` a hint comes too late, and what is
+    // asked for beyond `far` may be gone again when it is read.
+    static inline std::int64_t near = std::getenv("NEAR") ? atoi(getenv("NEAR")) : 2,
+                               far = std::getenv("FAR") ? atoi(getenv("FAR")) : 24;
+
+    State const& state_;
+    NextEvents<Real> const& next_;
+    Search const& search_;
+    Queue const& queue_;
+    std::int64_t bucket_ = 0; // looked at last
+    std::mutex looking_;
+    std::condition_variable_any wake_;
+    std::atomic<bool> goes_ = false;
+    std::jthread thread_; // the last one: it reads the others
+};
+
+} // namespace clack
