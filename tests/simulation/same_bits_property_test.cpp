@@ -11,6 +11,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 using namespace clack;
 
 namespace {
@@ -40,6 +44,27 @@ std::vector<Maker<Container>> const makers{assemble<Container, EveryPair, Collis
                                            assemble<Container, NeighbourList, CollisionTable>,
                                            assemble<Container, NeighbourList, BinaryHeap>,
                                            assemble<Container, NeighbourList, Calendar>};
+
+/// Counts how often it is looked at while it is rebuilt, which takes it long.
+template <class Real> class SlowCalendar : public Calendar<Real> {
+public:
+    using Calendar<Real>::Calendar;
+
+    void rebuild(NextEvents<Real> const& next, Real now) {
+        rebuilding = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        Calendar<Real>::rebuild(next, now);
+        rebuilding = false;
+        ++rebuilds;
+    }
+    std::int64_t open_bucket() const {
+        if (rebuilding) ++disturbances;
+        return Calendar<Real>::open_bucket();
+    }
+
+    static inline std::atomic<bool> rebuilding = false;
+    static inline std::atomic<long> rebuilds = 0, disturbances = 0;
+};
 
 template <template <class> class Container> State<Container> fresh(System const& system) {
     return State<Container>(system, made_up::lattice(system, 2015), epoch_length(system, 1.7));
@@ -131,6 +156,17 @@ BOOST_AUTO_TEST_CASE(second_thread_that_reads_ahead_leaves_no_trace) {
         fresh<WalledCube>(made_up::system(Boundary::walls, 27, 0.1)));
     heap->read_ahead();
     BOOST_TEST(heap->threads() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(second_thread_stands_still_while_the_indexes_are_rebuilt) {
+    auto state = fresh<PeriodicCube>(made_up::system(Boundary::periodic, 500, 0.3));
+    state.clock.length = 0x1p-4;
+    auto const engine = assemble<PeriodicCube, CellGrid, SlowCalendar>(std::move(state));
+    engine->read_ahead();
+    engine->advance({.time = 1});
+    BOOST_TEST(SlowCalendar<double>::rebuilds > 10);
+    // One look may have been under way.
+    BOOST_TEST(SlowCalendar<double>::disturbances <= SlowCalendar<double>::rebuilds);
 }
 
 BOOST_AUTO_TEST_CASE(clock_that_starts_late_gives_the_same_bits) {
