@@ -10,7 +10,7 @@ namespace clack {
 
 /// Balls on courses that never meet, all side by side for one, go on for ever without a collision,
 /// and no finite look ahead can know. This watch gives up after a million of the times in which, on
-/// average, one ball or another should have met its next.
+/// average, one ball or another should have met its next, and a thousand of those a ball.
 class StandstillWatch {
 public:
     ///   kinetic_energy  of the run, which tells how fast its balls are
@@ -22,6 +22,7 @@ public:
 
 private:
     double mean_wait_; // [time]
+    double count_;     // of balls
     std::string source_;
     double last_time_ = 0;
     std::uint64_t last_collisions_ = 0, last_frames_ = 0;

@@ -35,3 +35,13 @@ BOOST_AUTO_TEST_CASE(frames_of_nothing_shorten_it) {
     BOOST_CHECK_NO_THROW(watch.look(1001 * wait, 0, 100'000));
     BOOST_CHECK_THROW(watch.look(1001 * wait, 0, 100'001), InputError);
 }
+
+/// Ten million balls on a lattice fly a while before the first two meet.
+BOOST_AUTO_TEST_CASE(many_balls_are_given_the_time_that_each_needs) {
+    System const many{Boundary::periodic, 1000, 20'000'000, 1, 1};
+    double const wait_of_any = wait / 1e8; // 1e7 times the balls, ten times as close
+    StandstillWatch watch(many, 1e7, "here.toml");
+    BOOST_CHECK_NO_THROW(watch.look(1e7 * wait_of_any, 0, 0));
+    BOOST_CHECK_NO_THROW(watch.look(1e7 * wait_of_any, 0, 200'000));
+    BOOST_CHECK_THROW(watch.look(1e11 * wait_of_any, 0, 0), InputError);
+}
