@@ -67,16 +67,13 @@ std::size_t available_bytes() {
 }
 
 std::size_t run_bytes(Scene const& scene) {
-    bool const periodic = scene.system.boundary == Boundary::periodic;
     std::size_t const limbs = scene.precision == Precision::quadruple  ? 3
                               : scene.precision == Precision::extended ? 2
                                                                        : 1;
-    std::size_t const image = periodic ? 3 * sizeof(int) : 0;
-    std::size_t const frame = 6 * sizeof(double) + image; // a snapshot, or one that waits
     std::size_t const checkpoint = 7 * limbs * sizeof(double) + 3 * sizeof(int);
     auto const count = static_cast<std::size_t>(scene.system.count);
     return expected_bytes(scene.system, scene.method, scene.precision) +
-           count * (frame + checkpoint);
+           count * checkpoint; // frames are written from the engine
 }
 
 void require_memory(Scene const& scene) {
