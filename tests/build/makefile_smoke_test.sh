@@ -167,6 +167,31 @@ run
 expect 'and is run again' ran drew paper/one.gp one report
 expect 'to a good end' test "$status" = 0
 
+mkdir validation/scenes
+touch build/clack validation/scenes/balls.toml
+cat > paper/pictures.sh <<'SCRIPT'
+#!/usr/bin/env bash
+folder=$2
+draw() { echo "drew $1" >> runs.txt; [ ! -e undrawable ] && echo png > "$folder/view_$1.png"; }
+draw balls balls
+SCRIPT
+chmod +x paper/pictures.sh
+run
+expect 'pictures of balls are drawn for the report' ran drew balls report
+run
+expect 'and kept' ran
+echo 1 > build/clack
+run
+expect 'another program draws them anew' ran drew balls report
+touch undrawable validation/scenes/others.toml
+echo 1 > validation/scenes/balls.toml
+run report
+expect 'a machine that cannot draw them still gets its report' \
+  ran drew balls drew paper/one.gp one report two
+expect 'and is told' says 'build/figures/view_balls.png was not drawn'
+rm -r undrawable paper/pictures.sh validation/scenes
+run
+
 sed -i 's/^packages :=.*/packages := liba libb/' Makefile.data
 printf '#!/usr/bin/env bash\necho installed libb\n' > bin/dpkg-query
 printf '#!/usr/bin/env bash\necho 1000\n' > bin/id
