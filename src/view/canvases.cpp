@@ -10,7 +10,28 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// A ball, a dot, and lines of both kinds.
+Prepared little_of_everything() {
+    Prepared prepared;
+    DrawnBall const ball{0.5f, 0.5f, 0.5f, {}, 0};
+    prepared.visible = {{ball}, {ball}};
+    Eigen::Vector3f const from = Eigen::Vector3f::Zero(), to = Eigen::Vector3f::Ones();
+    for (auto const hiding : {DrawnLine::Hiding::by_balls, DrawnLine::Hiding::never})
+        prepared.picture.lines.push_back({from, to, {}, 1, hiding});
+    return prepared;
+}
+
 } // namespace
+
+void Canvases::warm_up(PixelSize window, std::initializer_list<int> samples) {
+    for (int const finer : samples) {
+        begin(little_of_everything(), window, finer);
+        while (!go_on(std::chrono::hours(1))) {
+        }
+        show(window);
+    }
+    shown_.reset();
+}
 
 void Canvases::begin(Prepared prepared, PixelSize size, int samples) {
     auto const start = std::chrono::steady_clock::now();
@@ -20,6 +41,7 @@ void Canvases::begin(Prepared prepared, PixelSize size, int samples) {
     if (!fits) next_ = std::make_unique<Canvas>(size, samples);
     glBindFramebuffer(GL_FRAMEBUFFER, next_->frame.name());
     drawing_.begin(std::move(prepared), next_->size, static_cast<float>(samples));
+    glFinish(); // or the clearing would be done, and its time spent, with the first balls
     is_drawing_ = true;
     seconds_ = seconds_since(start);
 }

@@ -5,6 +5,7 @@
 #include "view/drawing.hpp"
 
 #include <chrono>
+#include <initializer_list>
 #include <memory>
 
 namespace clack::view {
@@ -13,8 +14,13 @@ namespace clack::view {
 /// window may be deaf, so it is drawn in pieces.
 class Canvases {
 public:
+    /// Draws a little of everything once and forgets it: drivers translate a shader when it first
+    /// draws, which takes as long as the window may be deaf.
+    void warm_up(PixelSize window, std::initializer_list<int> samples);
+
     void begin(Prepared prepared, PixelSize size, int samples);
     bool is_drawing() const { return is_drawing_; }
+    double seconds_so_far() const { return seconds_; } // spent on the picture that is being drawn
     /// Draws for about so long; true when the picture has become whole and is the one to show.
     bool go_on(std::chrono::duration<double> budget);
 

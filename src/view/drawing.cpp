@@ -12,8 +12,6 @@ namespace clack::view {
 
 namespace {
 
-constexpr std::size_t balls_at_a_time = 4096; // some ten milliseconds in software
-
 void attribute(GLuint index, GLint count, GLenum type, GLboolean scaled, std::size_t stride,
                std::size_t offset, GLuint divisor) {
     glEnableVertexAttribArray(index);
@@ -113,7 +111,6 @@ bool Drawing::go_on(std::chrono::duration<double> budget) {
     while (!done_) {
         if (drawn_ < drawn_ball_count()) {
             draw_some_balls();
-            glFinish(); // or what was spent would not be known
         } else {
             draw_lines(DrawnLine::Hiding::by_balls);
             glDisable(GL_DEPTH_TEST);
@@ -132,19 +129,23 @@ void Drawing::finish() {
     }
 }
 
+/// As many at a time as take a few milliseconds: the window is deaf meanwhile.
 void Drawing::draw_some_balls() {
-    if (drawn_ < visible_.near.size()) {
-        auto const count = std::min(balls_at_a_time, visible_.near.size() - drawn_);
-        glBindVertexArray(corner_vertices_.name());
-        draw_balls(ball_, visible_.near, drawn_, count, GL_TRIANGLE_STRIP);
-        drawn_ += count;
-        return;
-    }
-    auto const first = drawn_ - visible_.near.size();
-    auto const count = std::min(4 * balls_at_a_time, visible_.dots.size() - first);
-    glBindVertexArray(dot_vertices_.name());
-    draw_balls(dot_, visible_.dots, first, count, GL_POINTS);
+    constexpr double aim = 0.004; // [s]
+    constexpr std::size_t least = 64, most = 65536;
+    auto const begin = std::chrono::steady_clock::now();
+    bool const near = drawn_ < visible_.near.size();
+    auto const& balls = near ? visible_.near : visible_.dots;
+    auto const first = near ? drawn_ : drawn_ - visible_.near.size();
+    auto const count = std::min(at_a_time_, balls.size() - first);
+    glBindVertexArray((near ? corner_vertices_ : dot_vertices_).name());
+    draw_balls(near ? ball_ : dot_, balls, first, count, near ? GL_TRIANGLE_STRIP : GL_POINTS);
     drawn_ += count;
+    glFinish(); // or what was spent would not be known
+    double const spent =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (spent > 2 * aim) at_a_time_ = std::max(at_a_time_ / 2, least);
+    if (spent < aim && count == at_a_time_) at_a_time_ = std::min(at_a_time_ * 2, most);
 }
 
 void Drawing::draw_balls(gl::Program const& program, std::vector<DrawnBall> const& balls,

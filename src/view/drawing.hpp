@@ -50,7 +50,7 @@ private:
     PixelSize size_;
     float pixels_per_pixel_ = 1, nearest_ = 0, farthest_ = 1;
     VisibleBalls visible_;
-    std::size_t drawn_ = 0;
+    std::size_t drawn_ = 0, at_a_time_ = 256; // balls
     bool done_ = true;
 };
 

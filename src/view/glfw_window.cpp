@@ -33,6 +33,7 @@ GlfwWindow::GlfwWindow(Options const& options, Hands& hands) : hands_(hands) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     window_ = glfwCreateWindow(options.width, options.height, ("clack: " + options.path).c_str(),
                                nullptr, nullptr);
     if (!window_) {
@@ -104,6 +105,8 @@ void GlfwWindow::move_callback(GLFWwindow* window, double x, double y) {
 void GlfwWindow::scroll_callback(GLFWwindow* window, double, double notches) {
     if (!ImGui::GetIO().WantCaptureMouse) of(window).hands_.on_scroll(static_cast<float>(notches));
 }
+
+void GlfwWindow::appear() { glfwShowWindow(window_); }
 
 bool GlfwWindow::is_closing() const { return glfwWindowShouldClose(window_) != 0; }
 

@@ -28,6 +28,8 @@ public:
     GlfwWindow& operator=(GlfwWindow const&) = delete;
     ~GlfwWindow();
 
+    /// Until then the window is not on the screen.
+    void appear();
     bool is_closing() const;
     PixelSize size() const;
     void wait_for_events(double seconds);

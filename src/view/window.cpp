@@ -40,6 +40,9 @@ public:
     }
 
     void run() {
+        canvases_.warm_up(picture_size(), {1, samples_at_rest});
+        compose();
+        window_.appear();
         while (!session_.closing && !window_.is_closing()) {
             window_.wait_for_events(is_busy() ? 0 : idle_wait);
             auto const begin = Clock::now();
@@ -48,7 +51,7 @@ public:
             draw_balls();
             compose();
             Seconds const passed = Clock::now() - begin;
-            if (whole_) deafness_ = std::max(deafness_, passed.count());
+            deafness_ = std::max(deafness_, passed.count());
             if (!canvases_.is_drawing()) window_.wait_for_events(frame_time - passed.count());
         }
     }
@@ -120,6 +123,7 @@ private:
         if (prepared_.valid()) {
             if (prepared_.wait_for(Seconds(0)) == std::future_status::timeout) return;
             canvases_.begin(prepared_.get(), under_way_.size, samples_under_way_);
+            if (canvases_.seconds_so_far() > budget.count() / 2) return; // a canvas was made
         } else if (!canvases_.is_drawing()) {
             auto const now = wanted();
             bool const news = !whole_ || !(*whole_ == now);
