@@ -171,9 +171,28 @@ void add_camera_options(CLI::App& command, view::Options& options) {
     command.add_option("--zoom", options.zoom, "1 shows the whole cube")
         ->type_name("FACTOR")
         ->check(CLI::Range(0.3, 100.0).description(""));
-    command.add_option("--clip", options.clip, "share of the cube that is drawn, from behind")
+}
+
+void add_cut_options(CLI::App& command, view::Options& options) {
+    using view::Face;
+    command.add_option("--clip", options.clip, "share of the cube that is drawn [1]")
         ->type_name("SHARE")
         ->check(CLI::Range(0.0, 1.0).description(""));
+    command
+        .add_option_function<std::string>(
+            "--clip-from",
+            [&](std::string const& word) {
+                options.clip_from = meaning_of<Face>("--clip-from", word,
+                                                     {{"left", Face::left},
+                                                      {"right", Face::right},
+                                                      {"front", Face::front},
+                                                      {"back", Face::back},
+                                                      {"bottom", Face::bottom},
+                                                      {"top", Face::top}});
+            },
+            "the face at which the rest is cut away: left, right (of x), front, back (of y), "
+            "bottom or top (of z) [front]")
+        ->type_name("FACE");
 }
 
 void add_picture_options(CLI::App& command, view::Options& options) {
@@ -210,6 +229,7 @@ void add_view(CLI::App& app, std::function<int()>& chosen, view::Options& option
     add_scene_or_trajectory(command, options.path, options.overrides);
     add_picture_options(command, options);
     add_camera_options(command, options);
+    add_cut_options(command, options);
     command
         .add_option("--visit", options.visit,
                     "file of what to do in the window, one command a line: for demonstrations")

@@ -1,5 +1,7 @@
 #include "view/appearance.hpp"
 
+#include "view/images.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,15 +49,19 @@ void add_cube(Picture& picture, Background background) {
     }
 }
 
-void add_clip_frame(Picture& picture) {
+void add_cut_frame(Picture& picture) {
     Colour const colour{204, 121, 167};
-    float const y = 1 - picture.clip;
-    std::array<Eigen::Vector3f, 4> const corners{Eigen::Vector3f{0, y, 0}, Eigen::Vector3f{1, y, 0},
-                                                 Eigen::Vector3f{1, y, 1},
-                                                 Eigen::Vector3f{0, y, 1}};
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        picture.lines.push_back({corners[k], corners[(k + 1) % corners.size()], colour, 1.4f,
-                                 DrawnLine::Hiding::by_balls});
+    auto const corner = [&](int k) {
+        Eigen::Vector3f place = Eigen::Vector3f::Zero();
+        int const axis = picture.cut.axis();
+        place[axis] = picture.cut.plane();
+        place[(axis + 1) % 3] = k % 4 == 1 || k % 4 == 2 ? 1.f : 0.f;
+        place[(axis + 2) % 3] = k % 4 >= 2 ? 1.f : 0.f;
+        return place;
+    };
+    for (int k = 0; k < 4; ++k) {
+        picture.lines.push_back(
+            {corner(k), corner(k + 1), colour, 1.4f, DrawnLine::Hiding::by_balls});
     }
 }
 
@@ -96,8 +102,10 @@ void add_path(Picture& picture, Frame const& frame) {
 void add_marks(Picture& picture, Frame const& frame, Look const& look) {
     auto const ring = [&](std::int64_t ball, Colour colour) {
         if (ball < 0 || ball >= frame.system.count) return;
-        picture.rings.push_back(
-            {in_sides(frame.snapshot.positions.col(ball), frame.system), colour});
+        each_place(frame.system, frame.snapshot.positions.col(ball),
+                   [&](Eigen::Vector3f const& place) {
+                       picture.rings.push_back({place, colour});
+                   });
     };
     if (look.next_pair == Visible::yes && frame.next) {
         ring(frame.next->first, pair_colour);
@@ -158,23 +166,24 @@ Picture picture_of(Frame const& frame, Look const& look) {
     System const& system = frame.system;
     picture.background = look.background;
     picture.radius = static_cast<float>(system.diameter / system.side / 2);
-    picture.clip = static_cast<float>(look.clip);
+    picture.cut = look.cut;
     double const top = scale_top(frame, look.colouring);
     bool const flash = look.flashes == Visible::yes && !frame.last_times.empty();
-    picture.balls.resize(static_cast<std::size_t>(system.count));
+    picture.balls.reserve(static_cast<std::size_t>(system.count));
     for (Eigen::Index ball = 0; ball < system.count; ++ball) {
         auto const i = static_cast<std::size_t>(ball);
-        auto const place = in_sides(frame.snapshot.positions.col(ball), system);
         std::uint8_t glow = 0;
         if (flash) {
             double const age = frame.snapshot.time - frame.last_times[i];
             glow = static_cast<std::uint8_t>(255 * std::exp(-std::max(age, 0.0) / look.flash_wait));
         }
-        picture.balls[i] = {place.x(), place.y(), place.z(),
-                            colour_of(frame, look.colouring, top, ball), glow};
+        auto const colour = colour_of(frame, look.colouring, top, ball);
+        each_place(system, frame.snapshot.positions.col(ball), [&](Eigen::Vector3f const& place) {
+            picture.balls.push_back({place.x(), place.y(), place.z(), colour, glow});
+        });
     }
     if (look.cube == Visible::yes) add_cube(picture, look.background);
-    if (look.clip < 1) add_clip_frame(picture);
+    if (!look.cut.is_whole()) add_cut_frame(picture);
     add_marks(picture, frame, look);
     return picture;
 }

@@ -15,7 +15,7 @@ struct Look {
     double flash_wait = 0.1; // in which a flash fades  [time]
     Visible next_pair = Visible::no;
     Visible cube = Visible::yes;
-    double clip = 1; // share of the cube's depth that is drawn
+    Cut cut;
 
     bool operator==(Look const&) const = default;
 };

@@ -26,10 +26,6 @@ Shares shares_of(float angle, float tangent) {
 
 Eigen::Vector3f place_of(DrawnBall const& ball) { return {ball.x, ball.y, ball.z}; }
 
-bool is_clipped(Picture const& picture, DrawnBall const& ball) {
-    return ball.y < 1 - picture.clip - 1e-6f;
-}
-
 } // namespace
 
 /// A counting sort over 65536 shells: what shares one is too near to matter.
@@ -119,7 +115,7 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
     VisibleBalls visible;
     for (std::uint32_t const i : order_) {
         DrawnBall const& ball = picture.balls[i];
-        if (is_clipped(picture, ball)) continue;
+        if (picture.cut.hides(place_of(ball))) continue;
         Eigen::Vector4f const projected = projection * place_of(ball).homogeneous();
         float const depth = projected.w();
         if (depth < 1.5f * picture.radius) continue; // at the eye, or behind it

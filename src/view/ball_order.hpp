@@ -25,7 +25,7 @@ struct Prepared {
     VisibleBalls visible;
 };
 
-/// Leaves out what is outside the picture, clipped, or hidden behind nearer balls.
+/// Leaves out what is outside the picture, cut away, or hidden behind nearer balls.
 class BallOrder {
 public:
     VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size);

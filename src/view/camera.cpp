@@ -65,13 +65,13 @@ Ray Camera::ray_through(float x, float y, PixelSize size) const {
     return {eye(), (along * right() + upwards * up() - towards_eye()).normalized()};
 }
 
-bool Camera::cube_fits(float distance, PixelSize size) const {
+bool Camera::cube_fits(float half_side, float distance, PixelSize size) const {
     constexpr float margin = 0.94f;
     float const tall = margin * half_angle_tangent, wide = tall * size.aspect();
     for (int corner = 0; corner < 8; ++corner) {
-        Eigen::Vector3f const place(static_cast<float>(corner & 1) - 0.5f,
-                                    static_cast<float>(corner >> 1 & 1) - 0.5f,
-                                    static_cast<float>(corner >> 2) - 0.5f);
+        Eigen::Vector3f const place =
+            half_side * Eigen::Vector3f(corner & 1 ? 1.f : -1.f, corner & 2 ? 1.f : -1.f,
+                                        corner & 4 ? 1.f : -1.f);
         float const depth = distance - place.dot(towards_eye());
         if (depth <= 0 || std::abs(place.dot(right())) > wide * depth ||
             std::abs(place.dot(up())) > tall * depth) {
@@ -81,10 +81,10 @@ bool Camera::cube_fits(float distance, PixelSize size) const {
     return true;
 }
 
-void Camera::fit(PixelSize size) {
+void Camera::fit(PixelSize size, float overhang) {
     fitting_distance_ = 1;
     constexpr float step = 1.01f, farthest = 50;
-    while (fitting_distance_ < farthest && !cube_fits(fitting_distance_, size))
+    while (fitting_distance_ < farthest && !cube_fits(0.5f + overhang, fitting_distance_, size))
         fitting_distance_ *= step;
 }
 

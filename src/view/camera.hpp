@@ -28,8 +28,9 @@ public:
     void pan(float to_right, float to_top); // in heights of the picture
     void zoom_by(float factor);
 
-    /// With zoom 1 and the centre as its target, the whole cube fits a picture of this size.
-    void fit(PixelSize size);
+    /// With zoom 1 and the centre as its target, the whole cube fits a picture of this size, and
+    /// what sticks out of its faces so far.
+    void fit(PixelSize size, float overhang = 0);
 
     Eigen::Vector3f eye() const;
     Eigen::Vector3f towards_eye() const; // unit length
@@ -44,7 +45,7 @@ public:
     float distance() const { return fitting_distance_; }
 
 private:
-    bool cube_fits(float distance, PixelSize size) const;
+    bool cube_fits(float half_side, float distance, PixelSize size) const;
 
     float fitting_distance_ = 3;
 };

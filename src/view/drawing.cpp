@@ -92,8 +92,9 @@ void Drawing::begin(Prepared prepared, PixelSize size, float pixels_per_pixel) {
     pixels_per_pixel_ = pixels_per_pixel;
     float const to_centre = (camera_.eye() - Eigen::Vector3f::Constant(0.5f)).norm();
     constexpr float half_diagonal = 0.9f;
-    nearest_ = std::max(to_centre - half_diagonal - picture_.radius, 0.f);
-    farthest_ = to_centre + half_diagonal + picture_.radius;
+    float const reach = half_diagonal + 3 * picture_.radius; // with balls across faces
+    nearest_ = std::max(to_centre - reach, 0.f);
+    farthest_ = to_centre + reach;
     drawn_ = 0;
     done_ = false;
     glViewport(0, 0, size.width, size.height);

@@ -79,6 +79,20 @@ void checkbox(char const* label, Visible& what) {
     if (ImGui::Checkbox(label, &on)) what = on ? Visible::yes : Visible::no;
 }
 
+void draw_cut(Cut& cut) {
+    constexpr std::array<char const*, 6> faces{"left, x = 0", "right, x = 1",  "front, y = 0",
+                                               "back, y = 1", "bottom, z = 0", "top, z = 1"};
+    auto share = static_cast<float>(cut.share);
+    ImGui::SetNextItemWidth(110);
+    if (ImGui::SliderFloat("##share", &share, 0, 1, cut.is_whole() ? "whole" : "%.2f is left"))
+        cut.share = static_cast<double>(share);
+    ImGui::SameLine();
+    auto from = static_cast<int>(cut.from);
+    ImGui::SetNextItemWidth(-70);
+    if (ImGui::Combo("cut at", &from, faces.data(), static_cast<int>(faces.size())))
+        cut.from = static_cast<Face>(from);
+}
+
 void draw_look(Session& session) {
     constexpr std::array<char const*, 4> names{"speed", "kinetic energy", "number of collisions",
                                                "side at the start"};
@@ -92,10 +106,7 @@ void draw_look(Session& session) {
     checkbox("next pair", session.look.next_pair);
     ImGui::SameLine();
     checkbox("cube", session.look.cube);
-    auto clip = static_cast<float>(session.look.clip);
-    ImGui::SetNextItemWidth(-70);
-    if (ImGui::SliderFloat("cut", &clip, 0, 1, "%.2f"))
-        session.look.clip = static_cast<double>(clip);
+    draw_cut(session.look.cut);
     if (auto const& next = session.shown->frame.next;
         next && session.look.next_pair == Visible::yes) {
         text(next->second >= 0

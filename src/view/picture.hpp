@@ -36,10 +36,31 @@ struct DrawnRing {
     Colour colour;
 };
 
+/// A plane that cuts the cube open: what lies between it and a face is not drawn.
+struct Cut {
+    Face from = Face::front;
+    double share = 1; // of the cube's depth, seen from the face, that is drawn
+
+    int axis() const { return static_cast<int>(from) / 2; }
+    bool is_from_zero() const { return static_cast<int>(from) % 2 == 0; }
+    bool is_whole() const { return share >= 1; }
+    /// Where the plane crosses its axis  [sides of the cube]
+    float plane() const { return static_cast<float>(is_from_zero() ? 1 - share : share); }
+    /// Whether a ball with its centre there is cut away; whole balls are left standing.
+    bool hides(Eigen::Vector3f const& place) const {
+        constexpr float rounding = 1e-6f;
+        if (is_whole()) return false;
+        float const behind = place[axis()] - plane();
+        return (is_from_zero() ? behind : -behind) < -rounding;
+    }
+
+    bool operator==(Cut const&) const = default;
+};
+
 struct Picture {
     Background background = Background::light;
     float radius = 0.1f; // of all balls [sides of the cube]
-    float clip = 1;      // balls whose centres are nearer than this along -y are left out
+    Cut cut;
     std::vector<DrawnBall> balls;
     std::vector<DrawnLine> lines;
     std::vector<DrawnRing> rings;

@@ -2,6 +2,7 @@
 
 #include "state/errors.hpp"
 #include "view/appearance.hpp"
+#include "view/images.hpp"
 #include "view/movie.hpp"
 #include "view/offscreen.hpp"
 #include "view/png_file.hpp"
@@ -16,12 +17,12 @@ namespace clack::view {
 
 namespace {
 
-Camera camera_for(Options const& options, PixelSize size) {
+Camera camera_for(Options const& options, System const& system, PixelSize size) {
     constexpr auto degree = static_cast<float>(std::numbers::pi / 180);
     Camera camera;
     camera.azimuth = degree * static_cast<float>(options.azimuth);
     camera.elevation = degree * static_cast<float>(options.elevation);
-    camera.fit(size);
+    camera.fit(size, overhang(system));
     camera.zoom = static_cast<float>(options.zoom);
     return camera;
 }
@@ -30,7 +31,7 @@ Look look_of(Options const& options) {
     Look look;
     look.colouring = options.colouring;
     look.background = options.background.value_or(Background::light);
-    look.clip = options.clip;
+    look.cut = {options.clip_from, options.clip};
     return look;
 }
 
@@ -52,7 +53,7 @@ void make_screenshot(Source& source, Options const& options) {
     PixelSize const size{options.width, options.height};
     constexpr int samples = 3;
     Offscreen offscreen(size, samples);
-    auto const camera = camera_for(options, size);
+    auto const camera = camera_for(options, source.system(), size);
     std::vector<Pixels> pictures;
     for (double const time : times_of(source, options)) {
         require_time(source, options, time);
@@ -70,7 +71,7 @@ void make_movie(Source& source, Options const& options) {
     double const begin = options.times.empty() ? source.first_time() : options.times.front();
     require_time(source, options, begin);
     Offscreen offscreen(size, samples);
-    auto const camera = camera_for(options, size);
+    auto const camera = camera_for(options, source.system(), size);
     Look look = look_of(options);
     look.flashes = Visible::yes;
     constexpr double flash_seconds = 0.08;

@@ -2,6 +2,7 @@
 
 #include "scenes/scene.hpp"
 #include "simulation/model_choice.hpp"
+#include "view/images.hpp"
 #include "view/live.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ Session::Session(Options the_options, std::unique_ptr<Source> source)
       player(std::move(source), options.speed) {
     look.colouring = options.colouring;
     look.background = options.background.value_or(Background::dark);
-    look.clip = options.clip;
+    look.cut = {options.clip_from, options.clip};
     look.flashes = Visible::yes;
     reset_camera();
     look_at_latest();
@@ -64,16 +65,22 @@ void Session::next_colouring() {
     look.colouring = static_cast<Colouring>((static_cast<int>(look.colouring) + 1) % 4);
 }
 
-void Session::toggle_clip() {
-    if (look.clip < 1) {
-        clip_ = look.clip;
-        look.clip = 1;
+void Session::toggle_cut() {
+    if (look.cut.is_whole()) {
+        look.cut.share = cut_share_;
     } else {
-        look.clip = clip_;
+        cut_share_ = look.cut.share;
+        look.cut.share = 1;
     }
 }
 
-void Session::move_clip(double by) { look.clip = std::clamp(look.clip + by, 0.0, 1.0); }
+void Session::move_cut(double by) { look.cut.share = std::clamp(look.cut.share + by, 0.0, 1.0); }
+
+/// And opens the cube if it is whole, or nothing would be seen of it.
+void Session::cut_from_next_face() {
+    look.cut.from = static_cast<Face>((static_cast<int>(look.cut.from) + 1) % 6);
+    if (look.cut.is_whole()) toggle_cut();
+}
 
 /// What the scene says stays, but for what was changed.
 void Session::restart() {
@@ -106,19 +113,20 @@ void Session::restart_with_another_seed() {
 void Session::pick(float x, float y, PixelSize size) {
     Ray const ray = camera.ray_through(x, y, size);
     Frame const& frame = shown->frame;
-    auto const side = static_cast<float>(frame.system.side);
-    float const radius = static_cast<float>(frame.system.diameter) / 2 / side;
+    auto const radius = static_cast<float>(frame.system.diameter / 2 / frame.system.side);
     float nearest = std::numeric_limits<float>::infinity();
     std::int64_t found = -1;
     for (Eigen::Index ball = 0; ball < frame.system.count; ++ball) {
-        Eigen::Vector3f const place = frame.snapshot.positions.col(ball).cast<float>() / side;
-        if (place.y() < 1 - static_cast<float>(look.clip)) continue;
-        Eigen::Vector3f const away = place - ray.origin;
-        float const along = away.dot(ray.direction);
-        if (along >= nearest || (away - along * ray.direction).squaredNorm() > radius * radius)
-            continue;
-        nearest = along;
-        found = ball;
+        auto const meets = [&](Eigen::Vector3f const& place) {
+            if (look.cut.hides(place)) return;
+            Eigen::Vector3f const away = place - ray.origin;
+            float const along = away.dot(ray.direction);
+            if (along >= nearest || (away - along * ray.direction).squaredNorm() > radius * radius)
+                return;
+            nearest = along;
+            found = ball;
+        };
+        each_place(frame.system, frame.snapshot.positions.col(ball), meets);
     }
     player.trace(found);
 }

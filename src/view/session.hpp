@@ -27,8 +27,9 @@ public:
     void toggle_playing();
     void change_speed(double factor);
     void next_colouring();
-    void toggle_clip();
-    void move_clip(double by);
+    void toggle_cut();
+    void move_cut(double by);
+    void cut_from_next_face();
     void reset_camera();
     void restart(); // with `choice`
     void restart_with_another_seed();
@@ -47,7 +48,7 @@ public:
     bool panel = true, help = false, closing = false;
 
 private:
-    double clip_ = 0.5; // where the plane is when it is switched on
+    double cut_share_ = 0.5; // where the plane is when it is switched on
 };
 
 /// A key, what it is called, what it does.

@@ -14,6 +14,9 @@ enum class Colouring { speed, energy, collisions, side };
 
 enum class Background { light, dark };
 
+/// The cube's faces, as they lie when the camera stands in front: x = 0 and side, y, z.
+enum class Face { left, right, front, back, bottom, top };
+
 /// What a path leads to.
 enum class Form { scene, trajectory };
 
@@ -34,8 +37,9 @@ struct Options {
     Colouring colouring = Colouring::speed;
     std::optional<Background> background; // unless given: light for pictures, dark for the window
     double azimuth = -60, elevation = 20, zoom = 1; // of the camera [degrees], [degrees], -
-    double clip = 1;   // share of the cube's depth along y that is drawn, from behind
-    std::string visit; // a file of what to do in the window, one command a line
+    double clip = 1;              // share of the cube's depth that is drawn; the rest is cut away,
+    Face clip_from = Face::front; // beginning at this face
+    std::string visit;            // a file of what to do in the window, one command a line
 };
 
 /// Shows, draws or films. Returns the exit code; throws InputError, LawBroken or WriteError.

@@ -3,6 +3,7 @@
 #include "state/errors.hpp"
 #include "view/canvases.hpp"
 #include "view/glfw_window.hpp"
+#include "view/images.hpp"
 #include "view/panel.hpp"
 #include "view/png_file.hpp"
 #include "view/session.hpp"
@@ -145,7 +146,7 @@ private:
     void prepare() {
         auto look = session_.look;
         look.flash_wait = flash_wait(*session_.shown);
-        session_.camera.fit(under_way_.size);
+        session_.camera.fit(under_way_.size, overhang(session_.shown->frame.system));
         PixelSize const samples{under_way_.size.width * samples_under_way_,
                                 under_way_.size.height * samples_under_way_};
         constexpr std::int64_t few = 3000;

@@ -170,11 +170,32 @@ BOOST_AUTO_TEST_CASE(clipping_hides_the_balls_in_front) {
         scene_of("[5.0, 1.0, 5.0], [2.0, 8.0, 5.0]", "[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]", 2);
     std::vector<std::string> words{"--azimuth", "-90", "--elevation", "0"};
     BOOST_TEST(patches_of(shot(words, path)).size() == 2u);
-    constexpr int middle = 120 * 320 + 160; // where the nearer ball is seen
+    constexpr int middle = 120 * 320 + 160, aside = 120 * 320 + 105; // where the two are seen
+    BOOST_TEST(is_coloured(shot(words, path), aside));
     BOOST_TEST(is_coloured(shot(words, path), middle));
     words.insert(words.end(), {"--clip", "0.5"});
     BOOST_TEST(!is_coloured(shot(words, path), middle));
     BOOST_TEST(patches_of(shot(words, path)).size() == 2u); // the farther ball, the plane's frame
+    words.insert(words.end(), {"--clip-from", "back"});
+    BOOST_TEST(is_coloured(shot(words, path), middle));
+    BOOST_TEST(patches_of(shot(words, path)).size() == 2u);
+    words.back() = "left";
+    BOOST_TEST(!is_coloured(shot(words, path), aside));
+}
+
+BOOST_AUTO_TEST_CASE(a_ball_across_a_periodic_face_is_seen_on_both_sides) {
+    std::vector<std::string> periodic{
+        "--set", "container.boundary=\"periodic\"", "--azimuth", "-90", "--elevation", "0"};
+    auto const at_a_face = scene_of("[0.2, 5.0, 5.0]", "[1.0, 0.0, 0.0]", 1);
+    auto const both = patches_of(shot(periodic, at_a_face));
+    BOOST_REQUIRE(both.size() == 2u);
+    BOOST_TEST(std::abs(both[0].pixels - both[1].pixels) < 0.1 * both[0].pixels);
+    // Left and right of the middle by nearly half a side, two tenths further right.
+    double const side = std::abs(both[0].x - both[1].x);
+    BOOST_TEST(std::abs((both[0].x + both[1].x - 319) / 2 - 0.02 * side) < 1);
+    periodic.resize(2);
+    auto const in_a_corner = scene_of("[0.2, 9.9, 0.1]", "[1.0, 0.0, 0.0]", 1);
+    BOOST_TEST(patches_of(shot(periodic, in_a_corner)).size() == 8u);
 }
 
 BOOST_AUTO_TEST_CASE(a_movie_has_its_frames) {
