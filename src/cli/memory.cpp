@@ -76,8 +76,9 @@ std::size_t run_bytes(Scene const& scene) {
            count * checkpoint; // frames are written from the engine
 }
 
-void require_memory(Scene const& scene) {
-    auto const needed = run_bytes(scene);
+void require_memory(Scene const& scene, std::size_t bytes_beside) {
+    auto const needed =
+        run_bytes(scene) + static_cast<std::size_t>(scene.system.count) * bytes_beside;
     auto const available = available_bytes();
     if (needed <= available) return;
     throw InputError(fmt::format(

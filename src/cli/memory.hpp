@@ -16,8 +16,9 @@ std::size_t available_bytes();
 /// written.
 std::size_t run_bytes(Scene const& scene);
 
-/// Throws InputError, saying how much is needed and how much there is, when a scene does not fit.
-void require_memory(Scene const& scene);
+/// Throws InputError, saying how much is needed and how much there is, when a scene does not fit,
+/// with so many more bytes a ball for what looks on.
+void require_memory(Scene const& scene, std::size_t bytes_beside = 0);
 
 /// What is freed goes back to the system: the C library would come to keep arrays of up to 32 MiB,
 /// 13 bytes a ball among a million of them.

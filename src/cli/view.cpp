@@ -13,7 +13,9 @@ int view_command(view::Options options) {
     options.form = options.path.ends_with(".h5") || is_hdf5(options.path) ? view::Form::trajectory
                                                                           : view::Form::scene;
     if (options.form == view::Form::scene) {
-        require_memory(read_scene(options.path, options.overrides));
+        constexpr std::size_t bytes_beside = 600; // frames under way, states to go back to
+        options.require_room = [](Scene const& scene) { require_memory(scene, bytes_beside); };
+        options.require_room(read_scene(options.path, options.overrides));
     } else if (!options.overrides.empty()) {
         throw InputError(options.path + ": is a trajectory, so --set has no effect; view a scene");
     }

@@ -21,10 +21,10 @@ void draw_clock(Session& session) {
     } else if (shown.playing == Playing::no) {
         text(fmt::format("paused; speed {:.3g}", shown.speed));
     } else {
-        bool const slow = shown.true_speed < 0.9 * shown.speed;
+        bool const slow = shown.rates.speed < 0.9 * shown.speed;
         ImGui::TextColored(slow ? ImVec4(1, 0.65f, 0.2f, 1)
                                 : ImGui::GetStyle().Colors[ImGuiCol_Text],
-                           "speed %.3g, in truth %.3g", shown.speed, shown.true_speed);
+                           "speed %.3g, in truth %.3g", shown.speed, shown.rates.speed);
     }
 }
 
@@ -48,6 +48,7 @@ void draw_playback(Session& session) {
                                static_cast<float>(shown.last_time), "%.4g"))
             session.player.seek(static_cast<double>(time));
     }
+    if (!shown.remark.empty()) ImGui::TextWrapped("%s", shown.remark.c_str());
     if (!shown.message.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.5f, 0.4f, 1));
         ImGui::TextWrapped("%s", shown.message.c_str());

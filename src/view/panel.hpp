@@ -19,6 +19,9 @@ void draw_panel(Session& session, DrawingReport const& report);
 /// The ends of a scale, 0 at the left.
 void scale_ends(std::string const& top);
 
+/// Z over time and now, with theory.
+void draw_pressure(Physics const& physics, Boundary boundary);
+
 /// Measured speeds, with the laws that they follow.
 void draw_physics(Shown const& shown);
 

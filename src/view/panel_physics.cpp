@@ -33,7 +33,7 @@ void draw_histogram(SpeedHistogram const& speeds) {
         text("no ball moves");
         return;
     }
-    ImVec2 const size(ImGui::GetContentRegionAvail().x, 110), origin = ImGui::GetCursorScreenPos();
+    ImVec2 const size(ImGui::GetContentRegionAvail().x, 90), origin = ImGui::GetCursorScreenPos();
     auto* const list = ImGui::GetWindowDrawList();
     auto const highest = *std::max_element(speeds.maxwell.begin(), speeds.maxwell.end());
     float const top = 1.6f * highest;
@@ -66,29 +66,6 @@ void scale_ends(std::string const& top) {
     ImGui::TextUnformatted(top.c_str());
 }
 
-namespace {
-
-std::string with_error(std::optional<Estimate> const& estimate) {
-    if (!estimate) return "-";
-    if (!estimate->error) return fmt::format("{:.4g} (+- after longer)", estimate->value);
-    return fmt::format("{:.5g} +- {:.2g}", estimate->value, *estimate->error);
-}
-
-void draw_pressure(Physics const& physics, Boundary boundary) {
-    auto const& factor = physics.compressibility_factor;
-    text("Z by virial  " + with_error(factor.virial));
-    if (boundary == Boundary::walls) text("Z by walls   " + with_error(factor.wall));
-    if (physics.theory) {
-        text("Z of theory  " + with_error(physics.theory));
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("the fluid's equation of state, for so many balls in this cube");
-    } else {
-        text("Z of theory  none: few balls, or no fluid");
-    }
-}
-
-} // namespace
-
 void draw_physics(Shown const& shown) {
     Physics const& physics = shown.physics;
     draw_histogram(physics.speeds);
@@ -109,9 +86,9 @@ void draw_physics(Shown const& shown) {
     text(fmt::format("collisions {} + {} with walls", tallies.ball_collisions,
                      tallies.wall_collisions));
     bool const runs = shown.playing == Playing::yes;
-    text(runs ? fmt::format("{:.3g} collisions a second", shown.collisions_per_second)
+    text(runs ? fmt::format("{:.3g} collisions a second", shown.rates.collisions_per_second)
               : "no collisions: paused");
-    text(runs ? fmt::format("engine: {:.1f} % of the time", 100 * shown.engine_share)
+    text(runs ? fmt::format("engine: {:.1f} % of the time", 100 * shown.rates.engine_share)
               : "engine: at rest");
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace clack::view {
@@ -76,6 +77,22 @@ SpeedHistogram histogram_of(Frame const& frame, std::vector<double> const& speed
     return histogram;
 }
 
+/// At times that lie evenly, as the samples do.
+std::vector<PressurePoint> course_of(System const& system, double kt,
+                                     std::vector<Sample> const& samples) {
+    constexpr std::size_t points_max = 48;
+    std::vector<PressurePoint> course;
+    std::vector<Sample> until;
+    std::size_t const points = std::min(points_max, samples.size());
+    for (std::size_t point = 1; point <= points; ++point) {
+        auto const end = static_cast<std::ptrdiff_t>(point * samples.size() / points);
+        until.assign(samples.begin(), samples.begin() + end);
+        if (until.back().time > until.front().time)
+            course.push_back({until.back().time, compressibility_factor(system, kt, until)});
+    }
+    return course;
+}
+
 void add_theory(Physics& physics, System const& system) {
     try {
         double const side = system.side / system.diameter;
@@ -110,8 +127,28 @@ Physics physics_of(Frame const& frame, std::vector<Sample> const& samples) {
     if (law) physics.speed_test = test_speeds(speeds, *law);
     physics.compressibility_factor =
         compressibility_factor(frame.system, physics.temperature, samples);
+    physics.course = course_of(frame.system, physics.temperature, samples);
     add_theory(physics, frame.system);
     return physics;
+}
+
+Range range_of(Physics const& physics) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Range range{infinite, -infinite};
+    auto const take_in = [&](std::optional<Estimate> const& estimate) {
+        if (!estimate) return;
+        range.low = std::min(range.low, estimate->value - estimate->error.value_or(0));
+        range.high = std::max(range.high, estimate->value + estimate->error.value_or(0));
+    };
+    take_in(physics.theory);
+    for (std::size_t k = physics.course.size() / 4; k < physics.course.size(); ++k) {
+        take_in(physics.course[k].factor.virial);
+        take_in(physics.course[k].factor.wall);
+    }
+    if (!(range.low <= range.high)) return {0, 1};
+    double const margin =
+        std::max(0.1 * (range.high - range.low), 1e-3 * std::max(std::abs(range.high), 1e-300));
+    return {range.low - margin, range.high + margin};
 }
 
 } // namespace clack::view

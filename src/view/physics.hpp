@@ -23,14 +23,28 @@ struct SpeedHistogram {
     std::vector<float> exact, maxwell; // at points evenly from 0 to top; exact: none for few balls
 };
 
+/// Z as it stood at an earlier time: from the samples until then.
+struct PressurePoint {
+    double time = 0;
+    CompressibilityFactor factor;
+};
+
 struct Physics {
     double temperature = 0; // kT
     SpeedHistogram speeds;
     std::optional<SpeedTest> speed_test; // none for few balls
     CompressibilityFactor compressibility_factor;
-    std::optional<Estimate> theory; // of both; none where the balls are few or no fluid
-    double energy_drift = 0;        // relative, since the first sample
+    std::optional<Estimate> theory;    // of both; none where the balls are few or no fluid
+    std::vector<PressurePoint> course; // of both until now, some dozens of points
+    double energy_drift = 0;           // relative, since the first sample
 };
+
+struct Range {
+    double low, high;
+};
+
+/// What a chart of Z shows: theory and all of the course but its first, wild quarter, with errors.
+Range range_of(Physics const& physics);
 
 /// From an instant and the samples until then, the first of which is the run's start.
 Physics physics_of(Frame const& frame, std::vector<Sample> const& samples);

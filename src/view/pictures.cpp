@@ -42,6 +42,15 @@ void require_time(Source const& source, Options const& options, double time) {
                                  options.path, source.first_time(), source.last_time()));
 }
 
+/// Of a file without collisions a picture is that of a frame, and says so when it was not asked
+/// for.
+void tell_other_time(Source const& source, Options const& options, double asked) {
+    if (source.time() == asked) return;
+    fmt::print(stderr,
+               "clack: {} holds no collisions: for time {:g} its frame of time {:g} is drawn\n",
+               options.path, asked, source.time());
+}
+
 std::vector<double> times_of(Source const& source, Options const& options) {
     if (!options.times.empty()) return options.times;
     return {std::isfinite(source.last_time()) ? source.last_time() : source.first_time()};
@@ -58,6 +67,7 @@ void make_screenshot(Source& source, Options const& options) {
     for (double const time : times_of(source, options)) {
         require_time(source, options, time);
         source.seek(time);
+        tell_other_time(source, options, time);
         auto const start = std::make_shared<Eigen::Matrix3Xd const>(source.start_places());
         auto const picture = picture_of(frame_of(source, start), look_of(options));
         pictures.push_back(offscreen.draw(picture, camera));
@@ -79,6 +89,8 @@ void make_movie(Source& source, Options const& options) {
     Movie movie(options.movie, size, options.frame_rate);
     auto const frames = static_cast<long>(std::ceil(options.duration * options.frame_rate));
     source.seek(begin);
+    if (!source.remark().empty())
+        fmt::print(stderr, "clack: {}: {}\n", options.path, source.remark());
     auto const start = std::make_shared<Eigen::Matrix3Xd const>(source.start_places());
     for (long frame = 0; frame < frames; ++frame) {
         double const seconds = static_cast<double>(frame) / options.frame_rate;

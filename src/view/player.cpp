@@ -51,8 +51,9 @@ void Player::begin_anew() {
     samples_.clear();
     prepared_ = source_->preparation_share() >= 1;
     target_ = source_->time();
+    arrived_ = true;
     last_move_ = Clock::now();
-    meter_ = {last_move_, target_, 0, collisions_of(source_->sample())};
+    meter_.begin(last_move_, reached());
 }
 
 void Player::ask(Task task) {
@@ -71,7 +72,7 @@ void Player::play() {
             source_->seek(source_->first_time());
         target_ = source_->time();
         last_move_ = Clock::now();
-        meter_ = {last_move_, target_, 0, collisions_of(source_->sample())};
+        meter_.begin(last_move_, reached());
     });
 }
 
@@ -168,7 +169,7 @@ void Player::work() {
             publish();
             continue;
         }
-        if (tasks_.empty() && (target_ <= source_->time() || now_.playing == Playing::no))
+        if (tasks_.empty() && (arrived_ || now_.playing == Playing::no))
             asked_.wait_for(lock, idle_wait);
     }
 }
@@ -179,17 +180,17 @@ void Player::move() {
     auto const begin = Clock::now();
     if (now_.playing == Playing::yes) {
         constexpr double debt_max = 0.05; // [s]
+        if (!arrived_) target_ = std::min(target_, source_->time() + debt_max * now_.speed);
         double const passed = seconds_between(last_move_, begin);
-        target_ = std::min({target_ + passed * now_.speed, source_->last_time(),
-                            source_->time() + debt_max * now_.speed});
+        target_ = std::min(target_ + std::min(passed, debt_max) * now_.speed, source_->last_time());
     }
     last_move_ = begin;
     constexpr double budget = 0.015; // [s] until the next look at what is asked
     double const cpu_begin = cpu_seconds();
-    while (source_->advance(target_) == Progress::under_way &&
-           seconds_between(begin, Clock::now()) < budget) {
-    }
-    meter_.busy += cpu_seconds() - cpu_begin;
+    do {
+        arrived_ = source_->advance(target_) == Progress::arrived;
+    } while (!arrived_ && seconds_between(begin, Clock::now()) < budget);
+    meter_.add_engine_seconds(cpu_seconds() - cpu_begin);
     if (!prepared_ && source_->preparation_share() >= 1) begin_anew();
     if (source_->time() >= source_->last_time() && !source_->may_grow()) now_.playing = Playing::no;
 }
@@ -216,17 +217,10 @@ void Player::keep_sample() {
     samples_.push_back(sample);
 }
 
-void Player::measure_rates(Sample const& sample) {
-    constexpr double span = 0.5;
-    double const passed = seconds_between(meter_.begin, Clock::now());
-    if (now_.playing == Playing::no || passed < span) return;
-    auto const collisions = collisions_of(sample);
-    now_.true_speed = std::max(source_->time() - meter_.time, 0.0) / passed;
-    now_.engine_share = meter_.busy / passed;
-    now_.collisions_per_second = collisions > meter_.collisions
-                                     ? static_cast<double>(collisions - meter_.collisions) / passed
-                                     : 0;
-    meter_ = {Clock::now(), source_->time(), 0, collisions};
+/// A source that goes from frame to frame has reached the target when the next frame is later.
+Meter::Reached Player::reached() const {
+    double const time = arrived_ ? std::max(target_, source_->time()) : source_->time();
+    return {time, collisions_of(source_->sample())};
 }
 
 bool Player::should_look_ahead() const {
@@ -256,11 +250,14 @@ void Player::publish() {
     Frame frame = frame_of(*source_, start_places_);
     look_ahead(frame);
     keep_sample();
-    measure_rates(frame.sample);
+    if (now_.playing == Playing::yes) {
+        if (auto const rates = meter_.read(Clock::now(), reached())) now_.rates = *rates;
+    }
     now_.equilibration = source_->preparation_share();
     now_.first_time = source_->first_time();
     now_.last_time = source_->last_time();
     now_.description = source_->description();
+    now_.remark = source_->remark();
     constexpr double physics_pause = 0.2; // [s]
     if (now_.playing == Playing::no ||
         seconds_between(last_physics_, Clock::now()) > physics_pause) {

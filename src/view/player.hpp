@@ -3,6 +3,7 @@
 // the latest frame whenever it likes.
 
 #include "view/frame.hpp"
+#include "view/meter.hpp"
 #include "view/physics.hpp"
 
 #include <chrono>
@@ -23,13 +24,13 @@ struct Shown {
     Frame frame;
     Physics physics;
     Playing playing = Playing::no;
-    double speed = 1;      // asked for: simulated time in a second
-    double true_speed = 0; // as it was in the last half second
-    double collisions_per_second = 0;
-    double engine_share = 0;  // of the time, spent in the engine
+    double speed = 1;         // asked for: simulated time in a second
+    Meter::Rates rates;       // as they were in the last half second
     double equilibration = 1; // share that is done; time stands still before
     double first_time = 0, last_time = 0;
-    std::string description, message; // message: what went wrong, empty if nothing
+    std::string description;
+    std::string remark;  // on times between those that are known, empty if there is nothing to say
+    std::string message; // what went wrong, empty if nothing
 };
 
 class Player {
@@ -60,13 +61,6 @@ private:
     using Clock = std::chrono::steady_clock;
     using Task = std::function<void()>;
 
-    /// Measures rates over the last half second or so.
-    struct Meter {
-        Clock::time_point begin = Clock::now();
-        double time = 0, busy = 0;
-        std::uint64_t collisions = 0;
-    };
-
     void ask(Task task);
     void work();
     bool take_task();
@@ -76,7 +70,7 @@ private:
     void look_ahead(Frame& frame);
     void begin_anew();
     void keep_sample();
-    void measure_rates(Sample const& sample);
+    Meter::Reached reached() const;
     void publish();
     bool should_look_ahead() const;
 
@@ -89,6 +83,7 @@ private:
     Meter meter_;
     Clock::time_point last_move_, last_physics_, last_refresh_;
     double target_ = 0;
+    bool arrived_ = true; // as near to the target as the source can come
     bool changed_ = true, prepared_ = false;
 
     std::uint64_t tasks_asked_ = 0; // of those who ask

@@ -228,4 +228,9 @@ std::string Replay::description() const {
                        may_grow() ? ", being written" : "");
 }
 
+std::string Replay::remark() const {
+    if (has_events()) return {};
+    return "no collisions in the file: shown from frame to frame, each at its own time";
+}
+
 } // namespace clack::view

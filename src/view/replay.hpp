@@ -34,6 +34,7 @@ public:
     std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball) override;
     Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
     std::string description() const override;
+    std::string remark() const override;
 
     bool may_grow() const override { return growing_; }
     /// Opens the file anew.

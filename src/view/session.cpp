@@ -99,8 +99,11 @@ void Session::restart() {
     }
     overrides.push_back(fmt::format("run.seed={}", choice.seed));
     overrides.push_back("run.method=" + choice.method);
-    player.restart([path = options.path, overrides]() -> std::unique_ptr<Source> {
-        return std::make_unique<Live>(read_scene(path, overrides));
+    player.restart([path = options.path, overrides,
+                    require_room = options.require_room]() -> std::unique_ptr<Source> {
+        auto scene = read_scene(path, overrides);
+        require_room(scene);
+        return std::make_unique<Live>(std::move(scene));
     });
 }
 

@@ -55,6 +55,8 @@ public:
     virtual Eigen::Matrix3Xd const& start_places() const = 0;
     /// "the engine: cell grid, calendar, double", "gas.h5, frame 3 of 20".
     virtual std::string description() const = 0;
+    /// What is to be known of times between those that the source knows; empty where all is exact.
+    virtual std::string remark() const { return {}; }
     /// Share of what comes before the first time that is done: an equilibration.
     virtual double preparation_share() const { return 1; }
     /// Whether a file is still being written; looks whether there is more to show than before.

@@ -3,9 +3,14 @@
 // and a build without the viewer's libraries has `absent.cpp` in place of all the rest.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace clack {
+struct Scene;
+}
 
 namespace clack::view {
 
@@ -39,7 +44,9 @@ struct Options {
     double azimuth = -60, elevation = 20, zoom = 1; // of the camera [degrees], [degrees], -
     double clip = 1;              // share of the cube's depth that is drawn; the rest is cut away,
     Face clip_from = Face::front; // beginning at this face
-    std::string visit;            // a file of what to do in the window, one command a line
+    /// Throws InputError for a scene that this machine has no room for.
+    std::function<void(Scene const&)> require_room = [](Scene const&) {};
+    std::string visit; // a file of what to do in the window, one command a line
 };
 
 /// Shows, draws or films. Returns the exit code; throws InputError, LawBroken or WriteError.

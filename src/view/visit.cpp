@@ -33,7 +33,7 @@ std::string state_of(Session const& session, Visited& window) {
         {"time", shown.frame.snapshot.time},
         {"playing", shown.playing == Playing::yes},
         {"speed", shown.speed},
-        {"true_speed", shown.true_speed},
+        {"true_speed", shown.rates.speed},
         {"balls", shown.frame.system.count},
         {"packing_fraction", shown.frame.system.packing_fraction()},
         {"collisions", shown.frame.total_collisions},
@@ -43,10 +43,11 @@ std::string state_of(Session const& session, Visited& window) {
         {"bends", shown.frame.path.size()},
         {"next_time", next ? nlohmann::ordered_json(next->time) : nullptr},
         {"last_time", std::isfinite(shown.last_time) ? shown.last_time : -1},
-        {"engine_share", shown.engine_share},
+        {"engine_share", shown.rates.engine_share},
         {"drawing_seconds", window.drawing_seconds()},
         {"deafness", window.longest_deafness()},
         {"description", shown.description},
+        {"remark", shown.remark},
         {"message", shown.message}};
     return state.dump();
 }

@@ -154,6 +154,21 @@ BOOST_AUTO_TEST_CASE(the_same_scene_gives_the_same_pixels_live_and_replayed) {
     BOOST_TEST((shot({"--time", "1.3"}, folder.file("run.h5")).rgb == first.rgb));
 }
 
+BOOST_AUTO_TEST_CASE(a_file_without_collisions_shows_its_frames_and_says_which) {
+    auto const path = two_balls();
+    auto const file = folder.file("frames.h5");
+    BOOST_REQUIRE(
+        run_clack({"run", path, "-o", file, "--quiet", "--set", "output.events=false"}).code == 0);
+    auto const between = run_clack({"view", file, "--screenshot", folder.file("between.png"),
+                                    "--time", "1.3", "--size", "320x240"});
+    BOOST_TEST(between.code == 0);
+    BOOST_TEST(between.err_is_one_line());
+    BOOST_TEST(between.err.find("for time 1.3 its frame of time 1 is drawn") != std::string::npos);
+    BOOST_TEST((read_png(folder.file("between.png")).rgb == shot({"--time", "1"}, path).rgb));
+    BOOST_TEST(run_clack({"view", file, "--screenshot", folder.file("at.png"), "--time", "1.5"})
+                   .err.empty());
+}
+
 BOOST_AUTO_TEST_CASE(times_stand_side_by_side_and_strips_one_below_the_other) {
     auto const picture = shot({"--time", "0,1,2"}, two_balls());
     BOOST_TEST(picture.size.width == 960);
