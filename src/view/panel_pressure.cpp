@@ -15,6 +15,8 @@ namespace {
 ImVec4 const virial_colour(0.34f, 0.71f, 0.91f, 1), wall_colour(0.9f, 0.62f, 0, 1),
     theory_colour(1, 1, 1, 1);
 
+constexpr float label_width = 50; // [pixels]
+
 ImU32 faint(ImVec4 colour) {
     colour.w = 0.35f;
     return ImGui::ColorConvertFloat4ToU32(colour);
@@ -66,34 +68,55 @@ void draw_course(Chart const& chart, std::vector<PressurePoint> const& course, I
     }
 }
 
+void draw_theory(Chart const& chart, Estimate const& theory) {
+    auto* const list = ImGui::GetWindowDrawList();
+    double const error = theory.error.value_or(0);
+    list->AddRectFilled(chart.at(0, theory.value + error),
+                        chart.at(chart.end, theory.value - error), faint(theory_colour));
+    list->AddLine(chart.at(0, theory.value), chart.at(chart.end, theory.value),
+                  ImGui::ColorConvertFloat4ToU32(theory_colour), 1);
+}
+
+/// Numbers left of the chart and below it.
+void draw_axes(Chart const& chart) {
+    constexpr ImU32 axis_colour = IM_COL32(150, 150, 150, 255);
+    ImVec2 const corner(chart.origin.x + chart.size.x, chart.origin.y + chart.size.y);
+    auto* const list = ImGui::GetWindowDrawList();
+    list->AddRect(chart.origin, corner, axis_colour);
+    auto const write = [&](std::string const& words, float y) {
+        ImVec2 const size = ImGui::CalcTextSize(words.c_str());
+        list->AddText({chart.origin.x - size.x - 4, y - size.y / 2},
+                      ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
+    };
+    float const half_line = ImGui::GetFontSize() / 2;
+    write(fmt::format("{:.4g}", chart.range.high), chart.origin.y + half_line);
+    write("Z", chart.origin.y + chart.size.y / 2);
+    write(fmt::format("{:.4g}", chart.range.low), corner.y - half_line);
+    ImGui::Dummy({chart.size.x, chart.size.y});
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + label_width);
+    scale_ends(fmt::format("time {:.4g}", chart.end));
+}
+
 void draw_chart(Physics const& physics) {
     auto const& course = physics.course;
     if (course.size() < 2) return;
-    constexpr ImU32 axis_colour = IM_COL32(150, 150, 150, 255);
-    ImVec2 const size(ImGui::GetContentRegionAvail().x, 84), origin = ImGui::GetCursorScreenPos();
-    Chart const chart{origin, size, course.back().time, range_of(physics)};
+    ImVec2 const origin = ImGui::GetCursorScreenPos();
+    Chart const chart{{origin.x + label_width, origin.y},
+                      {ImGui::GetContentRegionAvail().x - label_width, 84},
+                      course.back().time,
+                      range_of(physics)};
     auto* const list = ImGui::GetWindowDrawList();
-    ImVec2 const corner(origin.x + size.x, origin.y + size.y);
-    list->PushClipRect(origin, corner, true);
+    list->PushClipRect(chart.origin, {chart.origin.x + chart.size.x, chart.origin.y + chart.size.y},
+                       true);
+    if (physics.theory) draw_theory(chart, *physics.theory);
     draw_course(
         chart, course, virial_colour,
         [](PressurePoint const& point) -> auto const& { return point.factor.virial; });
     draw_course(
         chart, course, wall_colour,
         [](PressurePoint const& point) -> auto const& { return point.factor.wall; });
-    if (physics.theory) {
-        list->AddLine(chart.at(0, physics.theory->value),
-                      chart.at(chart.end, physics.theory->value),
-                      ImGui::ColorConvertFloat4ToU32(theory_colour), 1);
-    }
     list->PopClipRect();
-    list->AddRect(origin, corner, axis_colour);
-    auto const high = fmt::format("Z {:.4g}", chart.range.high);
-    auto const low = fmt::format("  {:.4g}", chart.range.low);
-    list->AddText({origin.x + 4, origin.y + 2}, axis_colour, high.c_str());
-    list->AddText({origin.x + 4, corner.y - ImGui::GetFontSize() - 2}, axis_colour, low.c_str());
-    ImGui::Dummy(size);
-    scale_ends(fmt::format("time {:.4g}", chart.end));
+    draw_axes(chart);
 }
 
 } // namespace
