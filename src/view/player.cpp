@@ -119,9 +119,13 @@ void Player::restart(Maker maker) {
 
 std::shared_ptr<Shown const> Player::latest() {
     std::lock_guard const lock(mutex_);
+    return shown_;
+}
+
+void Player::want_news() {
+    std::lock_guard const lock(mutex_);
     wanted_ = true;
     asked_.notify_all();
-    return shown_;
 }
 
 /// What a source throws becomes the message, and the playing stops.
@@ -146,6 +150,7 @@ bool Player::take_task() {
     }
     guarded(task);
     ++now_.tasks_done;
+    asked_since_ = true; // what was asked for is shown at once
     next_.reset(); // may be of another time
     next_of_traced_.reset();
     target_ = source_->time();
@@ -164,7 +169,7 @@ void Player::work() {
         }
         std::unique_lock lock(mutex_);
         if (closing_) return;
-        if (wanted_ && changed_) {
+        if (changed_ && (wanted_ || asked_since_)) {
             lock.unlock();
             publish();
             continue;
@@ -246,7 +251,7 @@ void Player::look_ahead(Frame& frame) {
 }
 
 void Player::publish() {
-    changed_ = false;
+    changed_ = asked_since_ = false;
     Frame frame = frame_of(*source_, start_places_);
     look_ahead(frame);
     keep_sample();

@@ -52,8 +52,10 @@ public:
     /// Another source in place of this one; if it cannot be made, this one stays, with a message.
     void restart(Maker maker);
 
-    /// The latest frame; a newer one is then made.
     std::shared_ptr<Shown const> latest();
+    /// Has a newer frame made, when there is something new. To make one copies all balls, which
+    /// takes from the engine's time: not to be asked more often than frames are drawn.
+    void want_news();
     /// Whether it shows all that has been asked for.
     bool has_done_all(Shown const& shown) const { return shown.tasks_done == tasks_asked_; }
 
@@ -84,7 +86,7 @@ private:
     Clock::time_point last_move_, last_physics_, last_refresh_;
     double target_ = 0;
     bool arrived_ = true; // as near to the target as the source can come
-    bool changed_ = true, prepared_ = false;
+    bool changed_ = true, asked_since_ = false, prepared_ = false;
 
     std::uint64_t tasks_asked_ = 0; // of those who ask
 

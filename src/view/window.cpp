@@ -146,6 +146,7 @@ private:
     void prepare() {
         auto look = session_.look;
         look.flash_wait = flash_wait(*session_.shown);
+        session_.player.want_news(); // while this picture is drawn
         session_.camera.fit(under_way_.size, overhang(session_.shown->frame.system));
         PixelSize const samples{under_way_.size.width * samples_under_way_,
                                 under_way_.size.height * samples_under_way_};

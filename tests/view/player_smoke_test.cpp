@@ -84,6 +84,7 @@ std::shared_ptr<Shown const> shown_after(Player& player, std::chrono::millisecon
     auto const end = std::chrono::steady_clock::now() + wait;
     auto shown = player.latest();
     while (std::chrono::steady_clock::now() < end || !player.has_done_all(*shown)) {
+        player.want_news();
         std::this_thread::sleep_for(2ms);
         shown = player.latest();
     }
