@@ -16,6 +16,9 @@ constexpr double most_collisions = 1e18;
 /// Crossings of the cube in a run: whole epochs of the clock are counted in 64 bits.
 constexpr double most_crossings = 1e15;
 
+/// Longest run in which nothing moves: what a clock in float still holds in one epoch.
+constexpr double longest_rest = 1e37;
+
 /// Frames in a file.
 constexpr double most_frames = 1e9;
 

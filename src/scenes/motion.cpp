@@ -27,17 +27,22 @@ std::optional<CountedGoal> counted_goal(Scene const& scene) {
 
 std::optional<Objection> objection_to_rest(Scene const& scene, double fastest) {
     auto const goal = counted_goal(scene);
-    if (!goal) return std::nullopt;
-    std::string const value = fmt::format("{}", goal->value);
-    if (scene.system.count == 1) {
+    std::string const value = goal ? fmt::format("{}", goal->value) : "";
+    if (goal && scene.system.count == 1) {
         return Objection{goal->key, value,
                          "is never reached, for a single ball has no other to collide with; set "
                          "time instead"};
     }
-    if (fastest == 0) {
+    if (goal && fastest == 0) {
         return Objection{goal->key, value,
                          "is never reached, for all velocities are zero: nothing will ever happen; "
                          "give the balls velocities, or set time instead"};
+    }
+    if (scene.time.value_or(0) > longest_rest && fastest == 0) {
+        return Objection{key::time, fmt::format("{}", *scene.time),
+                         fmt::format("is above {:.4g}, the longest that the clock of balls at rest "
+                                     "runs; lower it, or give the balls velocities",
+                                     longest_rest)};
     }
     return std::nullopt;
 }

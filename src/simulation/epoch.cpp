@@ -15,7 +15,9 @@ double epoch_length(System const& system, double speed) {
         1 / (std::numbers::sqrt2 * system.number_density() * cross_section * contact_value);
     double const way = std::max(std::min(64 * mean_free_path, system.side / 2),
                                 std::min(8 * mean_free_path, 4 * system.side));
-    constexpr double nothing_moves = 0x1p40;
+    // One epoch for all time that a scene at rest may ask for, in float too: epochs in which
+    // nothing happens are gone through one by one.
+    constexpr double nothing_moves = 0x1p126;
     if (!(speed > 0)) return nothing_moves;
     int exponent = 0;
     std::frexp(way / speed, &exponent);

@@ -260,6 +260,19 @@ BOOST_AUTO_TEST_CASE(nothing_that_moves_is_fine_where_the_goal_is_a_time) {
     BOOST_TEST(start_message(changed(timed, "\"maxwell\"", "\"maxwell\"\ntemperature = 0")) == "");
 }
 
+BOOST_AUTO_TEST_CASE(balls_slower_than_the_clock_can_follow_are_refused) {
+    auto const at_rest = changed(four_balls, "[1, 0, 0]", "[0, 0, 0]");
+    BOOST_TEST(start_message(changed(at_rest, "time = 10", "time = 1e37")) == "");
+    check(at_rest,
+          {{"time = 10", "time = 1e38", "time = 1e+38: is above 1e+37, the longest that"}});
+    auto const endless = changed(four_balls, "time = 10", "time = 1e50");
+    // Squares of such speeds vanish, and with them the epoch of the clock.
+    check(endless,
+          {{"[1, 0, 0]", "[1e-170, 0, 0]",
+            "distribution = \"explicit\": the fastest ball has speed 1e-170, which must"}});
+    BOOST_TEST(start_message(changed(endless, "[1, 0, 0]", "[1e-40, 0, 0]")) == "");
+}
+
 BOOST_AUTO_TEST_CASE(starts_from_a_file_are_checked) {
     auto const text = changed(
         changed(four_balls, "[[1, 1, 1], [3, 1, 1], [5, 1, 1], [7, 1, 1]]", "0"),

@@ -67,6 +67,8 @@ BOOST_AUTO_TEST_CASE(resting_balls_never_collide_and_say_so) {
         BOOST_TEST((engine->advance({.ball_collisions = 1}) == Stop::never));
         BOOST_TEST((engine->advance({.time = 1e6}) == Stop::time));
         BOOST_TEST(engine->time() == 1e6);
+        // However far, without going through the epochs one by one.
+        BOOST_TEST((engine->advance({.time = 1e37, .events = 2}) == Stop::time));
     }
 }
 
