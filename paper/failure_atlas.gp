@@ -16,7 +16,11 @@ yellow(digits) = 65536 * fade(255, 214, digits) + 256 * fade(246, 140, digits) +
 colour(code, digits) = (code == 1 ? yellow(digits) : colours[int(code) + 1])
 dark(code) = (code == 3 || code == 5 || code == 6 || code == 7)
 ink(code) = (dark(code) ? 0xffffff : 0x000000)
-shown(code, k) = (code == 0 ? '' : code == 8 ? '·' : sprintf('%.3g', real(k)))
+# The k from which on more than digits is lost, where it is; how far a method was run that held out
+# as long as it was; why it was not run at all.
+number(k) = sprintf('%.3g', real(k))
+shown(code, k, gross, reached, last, why) = \
+    (code == 8 ? why : code == 0 ? (real(reached) < real(last) ? '≤ ' . number(reached) : '') : code == 1 ? number(k) : number(gross))
 
 # A dagger: from some k on physics has no answer. What grows with k stands behind the name.
 title(scene, parameter, none) = scene . (none eq 'nan' ? '' : '†') . ' {/=5.5 (' . raised(parameter) . ')}'
@@ -37,17 +41,17 @@ set style fill solid border lc rgb '#ffffff'
 
 # The key stands below, a box a kind of outcome.
 array names[8] = ['ok', 'loses digits', 'wrong order', 'overlap', 'energy drift', 'lost ball', 'hang', 'crash']
-array places[8] = [0.02, 0.085, 0.235, 0.36, 0.46, 0.585, 0.695, 0.77]
+array places[8] = [0.02, 0.10, 0.25, 0.40, 0.52, 0.66, 0.78, 0.87]
 do for [n = 1:8] {
     x = places[n]
-    set object n rect from screen x, 0.030 to screen x + 0.016, 0.052 fc rgb (n == 2 ? yellow(9) : colours[n]) fs solid border lc rgb '#777777'
-    set label n names[n] at screen x + 0.021, 0.041 left font ',7'
+    set object n rect from screen x, 0.042 to screen x + 0.016, 0.062 fc rgb (n == 2 ? yellow(9) : colours[n]) fs solid border lc rgb '#777777'
+    set label n names[n] at screen x + 0.021, 0.052 left font ',7'
 }
-set label 9 'number: from this {/:Italic k} on' at screen 0.985, 0.041 right font ',7'
+set label 9 'number: from this {/:Italic k} on (digits may go before);  ≤: run so far;  not run:  t too long,  w too wide,  p periodic,  r turns round,  m missing' at screen 0.02, 0.016 left font ',6.5'
 # clack | frames | LAMMPS | textbooks
 do for [x in "2.5 5.5 6.5 9.5"] {
     set arrow from first x + 0, first -0.5 to first x + 0, first rows - 0.5 nohead front lc rgb '#000000' lw 1
 }
 
 plot file using 4:1:(0.5):(0.5):(colour($7, $8)):ytic(title(strcol(2), strcol(3), strcol(12))):x2tic(strcol(5)) with boxxyerror lc rgb variable, \
-     file using 4:1:(shown($7, strcol(9))):(ink($7)) with labels font ',5.5' tc rgb variable
+     file using 4:1:(shown($7, strcol(9), strcol(13), strcol(14), strcol(11), strcol(15))):($7 == 8 ? 0x888888 : ink($7)) with labels font ',5.5' tc rgb variable

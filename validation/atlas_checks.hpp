@@ -103,14 +103,32 @@ inline Reference reference_of(Problem const& problem) {
 /// How a method fares, from good to bad.
 enum class Kind { ok, digits, order, overlap, energy, lost, hang, crash, not_run };
 
+/// Whether more is wrong than digits.
+inline bool is_gross(Kind kind) { return kind > Kind::digits && kind != Kind::not_run; }
+
+/// Why a method is not run.
+enum class Absence { none, too_long, too_wide, periodic, turns_round, missing };
+
+/// How far a run went, and how well it kept its laws on the way.
+struct Extent {
+    double collisions = 0;      // between balls
+    double energy_drift = 0;    // relative
+    double deepest_overlap = 0; // at a collision  [diameters]
+};
+
 struct Judged {
     Kind kind = Kind::ok;
     double digits = 0; // that the worst of the checks has lost beyond rounding
+    Absence absence = Absence::none;
+    Extent extent{};
+
+    static Judged absent(Absence why) { return {Kind::not_run, 0, why, {}}; }
 };
 
 /// The worst of all frames of each check, in units of what rounding allows.
 struct Excess {
     double track = 0, overlap = 0, energy = 0;
+    double drift = 0;                             // of the energy, relative
     bool lost = false, deep = false, hot = false; // beyond all rounding
 };
 
@@ -153,6 +171,7 @@ inline Excess excess_of(Problem const& problem, Reference const& reference, Trac
         Frame const& frame = trace.frames[k];
         look(excess, problem, frame, place_bound);
         double const drift = std::abs(frame.velocities.squaredNorm() / energy - 1);
+        excess.drift = worse(excess.drift, drift);
         excess.energy = std::max(excess.energy, drift / drift_bound);
         excess.hot |= !(drift <= 1e-3 + drift_bound);
         if (!reference.exists || !reference.has_limit) continue;
@@ -172,7 +191,8 @@ inline Judged judge(Problem const& problem, Reference const& reference, Trace co
     double const worst = std::max({excess.track, excess.overlap, excess.energy, 1.0});
     double const digits = std::min(std::log10(worst), 16.0);
     constexpr double law_digits = 3; // beyond rounding the engine's own law lets none through
-    auto const is = [&](Kind kind) { return Judged{kind, digits}; };
+    Extent const extent{trace.collisions, excess.drift, trace.deepest_overlap};
+    auto const is = [&](Kind kind) { return Judged{kind, digits, Absence::none, extent}; };
     if (trace.end == End::crash) return is(Kind::crash);
     if (trace.end == End::hang) return is(Kind::hang);
     if (trace.end == End::lost || excess.lost) return is(Kind::lost);
@@ -182,7 +202,8 @@ inline Judged judge(Problem const& problem, Reference const& reference, Trace co
     if (followed && reference.spread(roundoff).order_known &&
         partners_of(trace.meetings, problem.system.count) != reference.partners)
         return is(Kind::order);
-    if (trace.end == End::apart) return {Kind::digits, std::max(digits, law_digits)};
+    if (trace.end == End::apart)
+        return {Kind::digits, std::max(digits, law_digits), Absence::none, extent};
     if (!followed && excess.overlap > 1) return is(Kind::overlap);
     if (!followed && excess.energy > 1) return is(Kind::energy);
     return is(worst > 1 ? Kind::digits : Kind::ok);

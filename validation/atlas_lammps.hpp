@@ -4,7 +4,9 @@
 #include "reference/lammps.hpp"
 #include "reference/lammps_files.hpp"
 #include "reference/soft_balls.hpp"
-#include "validation/atlas_problem.hpp"
+#include "validation/atlas_checks.hpp"
+
+#include "validation/harness/seeds.hpp"
 
 #include <fmt/format.h>
 
@@ -31,11 +33,13 @@ struct SoftProblem {
 
     /// The deck knows walls only, and grids of cells for wide cubes would fill the memory; what
     /// takes longer than seconds is left out too.
-    bool can_run() const {
+    Absence absence() const {
         constexpr double side_max = 120, work_max = 4e6;
         double const work = steps() * static_cast<double>(problem.system.count + 20);
-        return problem.system.boundary == Boundary::walls && problem.system.side <= side_max &&
-               !problem.turns_round && problem.has_reference && work <= work_max;
+        if (problem.system.boundary == Boundary::periodic) return Absence::periodic;
+        if (problem.turns_round) return Absence::turns_round;
+        if (problem.system.side > side_max) return Absence::too_wide;
+        return problem.has_reference && work <= work_max ? Absence::none : Absence::too_long;
     }
 
     reference::LammpsJob job(std::string const& name) const {
@@ -71,11 +75,29 @@ struct SoftProblem {
 /// What LAMMPS makes of problems; nothing of those it cannot run, and of none where it is missing.
 class SoftBalls {
 public:
+    /// Says in one line why there is none, where there is none.
+    SoftBalls() {
+        try {
+            reference::run_lammps(reference::LammpsFolder(), deck_, {});
+        } catch (reference::LammpsError const& error) {
+            std::cout << error.what() << '\n';
+            there_ = false;
+        }
+    }
+
+    /// What a campaign's rows depend on: those without LAMMPS are no memory for those with it.
+    std::string name() const {
+        return there_ ? fmt::format("lammps={:016x}", hash_of(deck_)) : "lammps=none";
+    }
+    /// Why a problem is not run.
+    Absence absence(SoftProblem const& problem) const {
+        return there_ ? problem.absence() : Absence::missing;
+    }
     std::vector<std::optional<Trace>> fly(std::vector<SoftProblem> const& problems) {
         std::vector<std::optional<Trace>> traces(problems.size());
         std::vector<std::size_t> runnable;
         for (std::size_t k = 0; k < problems.size(); ++k)
-            if (there_ && problems[k].can_run()) runnable.push_back(k);
+            if (there_ && problems[k].absence() == Absence::none) runnable.push_back(k);
         if (!runnable.empty()) run(problems, runnable, traces);
         return traces;
     }
@@ -89,14 +111,9 @@ private:
         try {
             run_together(problems, some, traces);
         } catch (reference::LammpsError const& error) {
-            using reference::LammpsFailure;
-            if (error.failure == LammpsFailure::missing ||
-                error.failure == LammpsFailure::other_version) {
-                std::cout << error.what() << '\n';
-                there_ = false;
-            } else if (some.size() == 1) {
+            if (some.size() == 1) {
                 Trace failed;
-                failed.end = error.failure == LammpsFailure::lost_atoms ? End::lost : End::crash;
+                failed.end = end_of(error.failure);
                 traces[some.front()] = failed;
             } else {
                 auto const middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
@@ -104,6 +121,14 @@ private:
                 run(problems, {middle, some.end()}, traces);
             }
         }
+    }
+
+    static End end_of(reference::LammpsFailure const failure) {
+        using enum reference::LammpsFailure;
+        // Balls too fast for their lists of neighbours pass through each other.
+        return failure == lost_atoms         ? End::lost
+               : failure == dangerous_builds ? End::overlap
+                                             : End::crash;
     }
 
     void run_together(std::vector<SoftProblem> const& problems, Some const& some,

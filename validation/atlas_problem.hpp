@@ -27,14 +27,25 @@ struct Problem {
     std::array<bool, 3> axes{1, 1, 1};    // along which the rounding of a start can point
     double clock = 0;                     // what the clock says at the start
     bool turns_round = false;             // half way all velocities are reversed
-    double long_collisions = 0;           // how many there will be, where they are very many
+    double long_collisions = 0;           // how many there will be, where they are very many: the
+                                          // balls are then looked at after equal numbers of them
     bool has_reference = true;            // or it is too long for one: the invariants are left
+    bool fast_alone = false;              // too long for all methods but the fast one
     std::function<Frame(double)> exact{}; // closed form where there is one
 
     double speed() const { return std::sqrt(start.velocities.colwise().squaredNorm().mean()); }
     /// What takes more events in one call, or longer, hangs.
     std::uint64_t events_max() const {
-        return static_cast<std::uint64_t>(2e7 + 100 * long_collisions);
+        return static_cast<std::uint64_t>(2e6 + 20 * long_collisions);
+    }
+    /// Where an engine stops for its next look at the balls.
+    Goal goal(std::size_t look, double zero) const {
+        if (long_collisions > 0) {
+            double const share = static_cast<double>(look + 1) / static_cast<double>(times.size());
+            return {.ball_collisions = static_cast<std::uint64_t>(share * long_collisions),
+                    .events = events_max()};
+        }
+        return {.time = zero + times[look], .events = events_max()};
     }
     unsigned seconds_max() const { return static_cast<unsigned>(30 + 1e-5 * long_collisions); }
     double fastest() const { return start.velocities.colwise().norm().maxCoeff(); }
@@ -73,6 +84,8 @@ struct Trace {
     std::vector<Frame> frames{};
     std::vector<Meeting> meetings{};
     double collisions_per_ball = 0; // with balls and walls
+    double collisions = 0;          // between balls, and the deepest overlap at one, as the engine
+    double deepest_overlap = 0;     // has counted them  [diameters]
     End end = End::reached;
 };
 
@@ -163,8 +176,10 @@ inline Trace fly(Problem const& problem, Maker const& make, Precision const prec
         double zero = problem.clock;
         auto engine = make(system, checkpoint_of(problem, problem.start, zero, precision, shake));
         for (std::size_t k = 0; k < problem.times.size(); ++k) {
-            Goal const goal{.time = zero + problem.times[k], .events = problem.events_max()};
-            if (engine->advance(goal, &recorder) == Stop::events) {
+            Stop const stop = engine->advance(problem.goal(k, zero), &recorder);
+            trace.collisions = static_cast<double>(engine->tallies().ball_collisions);
+            trace.deepest_overlap = engine->tallies().deepest_overlap;
+            if (stop == Stop::events) {
                 trace.end = End::hang;
                 return trace;
             }

@@ -12,24 +12,37 @@
 
 namespace clack::validation::atlas {
 
-/// How a method fares in a scene.
+/// How a method fares in a scene, over all degrees of difficulty.
 struct Cell {
-    Kind worst = Kind::not_run;                                  // over all degrees of difficulty
-    double digits = 0;                                           // the most that is lost
-    double threshold = std::numeric_limits<double>::quiet_NaN(); // k from which on it fails
+    static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
+    Kind worst = Kind::not_run;
+    double digits = 0;               // the most that is lost
+    double threshold = never;        // k from which on it fails
+    double gross = never;            // k from which on it loses more than digits
+    double reached = never;          // the hardest k that was run
+    Absence absence = Absence::none; // why some k were not, the easiest of them
+    Extent extent{};                 // of its longest run
 
     void add(double k, Judged const& judged) {
-        if (judged.kind == Kind::not_run) return;
+        if (judged.kind == Kind::not_run) {
+            if (absence == Absence::none) absence = judged.absence;
+            return;
+        }
         if (worst == Kind::not_run || judged.kind > worst) worst = judged.kind;
-        digits = std::max(digits, judged.kind == Kind::ok ? 0 : judged.digits);
-        if (judged.kind != Kind::ok && !(threshold <= k)) threshold = k;
+        if (!(reached >= k)) reached = k;
+        if (judged.extent.collisions >= extent.collisions) extent = judged.extent;
+        if (judged.kind == Kind::ok) return;
+        digits = std::max(digits, judged.digits);
+        if (!(threshold <= k)) threshold = k;
+        if (is_gross(judged.kind) && !(gross <= k)) gross = k;
     }
 };
 
 struct Row {
-    std::vector<Cell> cells;                                         // one a contender
-    double no_limit_from = std::numeric_limits<double>::quiet_NaN(); // k at which physics has none
-    std::vector<Meeting> tie; // what the tie rule then makes of it: the first meetings
+    std::vector<Cell> cells;            // one a contender
+    double no_limit_from = Cell::never; // k at which physics has none
+    std::vector<Meeting> tie;           // what the tie rule then makes of it: the first meetings
 };
 
 class RowMeasurement {
@@ -40,9 +53,7 @@ public:
     Row measure(SoftBalls& soft) {
         Row row;
         for (Contender const& contender : contenders_)
-            row.cells.push_back(contender.family == Contender::Family::lammps
-                                    ? measure_soft(contender, soft)
-                                    : measure(contender));
+            row.cells.push_back(measure(contender, soft));
         for (double const k : scene_.levels) {
             Posed const& posed = pose(k);
             if (posed.reference.has_limit || row.no_limit_from <= k) continue;
@@ -59,6 +70,7 @@ private:
         Problem problem;
         Reference reference;
     };
+    using Levels = std::vector<double>;
 
     Posed const& pose(double k) {
         auto found = posed_.find(k);
@@ -69,26 +81,47 @@ private:
         return found->second;
     }
 
-    /// From easy to hard; where it first fails, three halvings of the step before.
-    Cell measure(Contender const& contender) {
-        constexpr int halvings = 3;
+    /// From easy to hard; then three halvings of the step before it first fails, and of that before
+    /// it first loses more than digits.
+    Cell measure(Contender const& contender, SoftBalls& soft) {
+        bool const is_soft = contender.family == Contender::Family::lammps;
+        Levels const levels = is_soft ? some_levels() : scene_.levels;
+        std::vector<Judged> const found = judged_at(contender, levels, soft);
         Cell cell;
-        std::optional<double> passed;
-        for (double const k : scene_.levels) {
-            bool const failed_before = cell.threshold <= k;
-            cell.add(k, judged_at(contender, k));
-            bool const failed = cell.threshold <= k;
-            if (!failed) passed = k;
-            if (!failed || failed_before || !passed) continue;
-            double low = *passed;
-            for (int step = 0; step < halvings; ++step) {
-                double const middle = (low + cell.threshold) / 2;
-                Judged const found = judged_at(contender, middle);
-                if (found.kind == Kind::ok) low = middle;
-                cell.add(middle, found);
-            }
-        }
+        for (std::size_t n = 0; n < found.size(); ++n) cell.add(levels[n], found[n]);
+        for (auto const fails : {+[](Kind kind) { return kind != Kind::ok; }, is_gross})
+            narrow(cell, contender, levels, found, soft, fails);
         return cell;
+    }
+
+    void narrow(Cell& cell, Contender const& contender, Levels const& levels,
+                std::vector<Judged> const& found, SoftBalls& soft, bool (*fails)(Kind)) {
+        constexpr int halvings = 3;
+        std::optional<double> passed, failed;
+        for (std::size_t n = 0; n < found.size() && !failed; ++n)
+            if (found[n].kind != Kind::not_run)
+                (fails(found[n].kind) ? failed : passed) = levels[n];
+        if (!passed || !failed) return;
+        for (int step = 0; step < halvings; ++step) {
+            double const middle = (*passed + *failed) / 2;
+            Judged const judged = judged_at(contender, {middle}, soft).front();
+            if (judged.kind == Kind::not_run) return;
+            cell.add(middle, judged);
+            (fails(judged.kind) ? failed : passed) = middle;
+        }
+    }
+
+    /// As many as there are levels, but that what hangs is not tried harder.
+    std::vector<Judged> judged_at(Contender const& contender, Levels const& levels,
+                                  SoftBalls& soft) {
+        if (contender.family == Contender::Family::lammps)
+            return soft_judged_at(contender, levels, soft);
+        std::vector<Judged> all;
+        for (double const k : levels) {
+            all.push_back(judged_at(contender, k));
+            if (all.back().kind == Kind::hang) break;
+        }
+        return all;
     }
 
     Judged judged_at(Contender const& contender, double k) {
@@ -98,7 +131,7 @@ private:
         if (found.kind != Kind::ok || !tied || contender.family != Contender::Family::clack_double)
             return found;
         // Physics has no answer, but the tie rule has one, whatever the method.
-        Trace const ruled = tie_breaker(posed.problem), other = *contender.fly(posed.problem);
+        Trace const ruled = tie_breaker(posed.problem), other = contender.fly(posed.problem);
         bool same = ruled.meetings == other.meetings;
         for (std::size_t frame = 0; frame < ruled.frames.size(); ++frame)
             same &= ruled.frames[frame].places == other.frames[frame].places;
@@ -106,24 +139,31 @@ private:
     }
 
     static Trace tie_breaker(Problem const& problem) {
-        return *clack_method(Method::table, Precision::double_).fly(problem);
+        return clack_method(Method::table, Precision::double_).fly(problem);
     }
 
-    /// A few degrees of difficulty only: a run of LAMMPS takes its time.
-    Cell measure_soft(Contender const& contender, SoftBalls& soft) {
-        std::vector<double> const& all = scene_.levels;
-        std::vector<double> const some{all.front(), all[all.size() / 2], all.back()};
+    /// Five degrees of difficulty at most: a run of LAMMPS takes its time.
+    Levels some_levels() const {
+        std::size_t const count = scene_.levels.size(), some = std::min<std::size_t>(count, 5);
+        Levels levels;
+        for (std::size_t n = 0; n < some; ++n)
+            levels.push_back(scene_.levels[some > 1 ? n * (count - 1) / (some - 1) : 0]);
+        return levels;
+    }
+
+    std::vector<Judged> soft_judged_at(Contender const& contender, Levels const& levels,
+                                       SoftBalls& soft) {
         std::vector<SoftProblem> problems;
-        for (double const k : some) problems.push_back({pose(k).problem, contender.stiffness});
+        for (double const k : levels) problems.push_back({pose(k).problem, contender.stiffness});
         auto const traces = soft.fly(problems);
-        Cell cell;
-        for (std::size_t n = 0; n < some.size(); ++n) {
-            Posed const& posed = pose(some[n]);
-            if (traces[n])
-                cell.add(some[n],
-                         judge(posed.problem, posed.reference, *traces[n], contender.roundoff()));
+        std::vector<Judged> all;
+        for (std::size_t n = 0; n < levels.size(); ++n) {
+            Posed const& posed = pose(levels[n]);
+            all.push_back(
+                traces[n] ? judge(posed.problem, posed.reference, *traces[n], contender.roundoff())
+                          : Judged::absent(soft.absence(problems[n])));
         }
-        return cell;
+        return all;
     }
 
     Scene scene_;
@@ -136,7 +176,9 @@ inline Measurement flat(Row const& row) {
     Measurement numbers;
     for (Cell const& cell : row.cells)
         numbers.insert(numbers.end(),
-                       {static_cast<double>(cell.worst), cell.digits, cell.threshold});
+                       {static_cast<double>(cell.worst), cell.digits, cell.threshold, cell.gross,
+                        cell.reached, static_cast<double>(cell.absence), cell.extent.collisions,
+                        cell.extent.energy_drift, cell.extent.deepest_overlap});
     numbers.push_back(row.no_limit_from);
     for (auto const& [i, j] : row.tie)
         numbers.insert(numbers.end(), {static_cast<double>(i), static_cast<double>(j)});
@@ -146,13 +188,21 @@ inline Measurement flat(Row const& row) {
 inline Row unflat(Measurement const& numbers, std::size_t cells) {
     Row row;
     std::size_t at = 0;
-    for (std::size_t cell = 0; cell < cells; ++cell, at += 3)
-        row.cells.push_back({static_cast<Kind>(static_cast<int>(numbers.at(at))),
-                             numbers.at(at + 1), numbers.at(at + 2)});
-    row.no_limit_from = numbers.at(at++);
-    for (; at + 1 < numbers.size(); at += 2)
-        row.tie.emplace_back(static_cast<std::int64_t>(numbers[at]),
-                             static_cast<std::int64_t>(numbers[at + 1]));
+    auto const next = [&] { return numbers.at(at++); };
+    for (std::size_t k = 0; k < cells; ++k) {
+        Cell cell;
+        cell.worst = static_cast<Kind>(static_cast<int>(next()));
+        for (double* const number : {&cell.digits, &cell.threshold, &cell.gross, &cell.reached})
+            *number = next();
+        cell.absence = static_cast<Absence>(static_cast<int>(next()));
+        cell.extent = {next(), next(), next()}; // in this order: braces see to it
+        row.cells.push_back(cell);
+    }
+    row.no_limit_from = next();
+    while (at + 1 < numbers.size()) {
+        auto const i = static_cast<std::int64_t>(next());
+        row.tie.emplace_back(i, static_cast<std::int64_t>(next()));
+    }
     return row;
 }
 

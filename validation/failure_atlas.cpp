@@ -4,6 +4,7 @@
 #include "validation/harness/experiment.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -29,6 +30,12 @@ char const* name_of(Kind const kind) {
                                "overlap", "energy drift", "lost ball",
                                "hang",    "crash",        "not run"};
     return names.at(static_cast<std::size_t>(kind));
+}
+
+/// Why a place is empty: the letters of figure and table.
+char const* letter_of(Absence const absence) {
+    constexpr std::array letters{"", "t", "w", "p", "r", "m"};
+    return letters.at(static_cast<std::size_t>(absence));
 }
 
 struct Atlas {
@@ -63,7 +70,8 @@ struct Atlas {
 
 Csv csv_of(Atlas const& atlas) {
     Csv csv({"row", "scene", "parameter", "column", "method", "outcome", "outcome_code",
-             "digits_lost", "threshold_k", "first_k", "last_k", "no_limit_from_k"});
+             "digits_lost", "threshold_k", "first_k", "last_k", "no_limit_from_k", "gross_from_k",
+             "reached_k", "why_not", "collisions", "energy_drift", "deepest_overlap"});
     for (std::size_t r = 0; r < atlas.rows.size(); ++r) {
         Scene const& scene = atlas.scenes[r];
         for (std::size_t c = 0; c < atlas.contenders.size(); ++c) {
@@ -71,18 +79,24 @@ Csv csv_of(Atlas const& atlas) {
             csv.row({cell(r), scene.name, scene.parameter, cell(c), atlas.contenders[c].name,
                      name_of(found.worst), cell(static_cast<int>(found.worst)), cell(found.digits),
                      cell(found.threshold), cell(scene.levels.front()), cell(scene.levels.back()),
-                     cell(atlas.rows[r].no_limit_from)});
+                     cell(atlas.rows[r].no_limit_from), cell(found.gross), cell(found.reached),
+                     letter_of(found.absence), cell(found.extent.collisions),
+                     cell(found.extent.energy_drift), cell(found.extent.deepest_overlap)});
         }
     }
     return csv;
 }
 
-/// Where a column begins to fail, and the worst that becomes of it.
-std::string in_short(Cell const& found) {
+/// Where a column begins to fail and where to lose more than digits, and the worst that becomes of
+/// it; how far it was run, where not to the end.
+std::string in_short(Cell const& found, double const last) {
     constexpr std::array letters{"", "D", "O", "V", "E", "L", "H", "C"};
-    if (found.worst == Kind::not_run) return "";
-    if (found.worst == Kind::ok) return "--";
-    return fmt::format("{:.3g}\\,{}", found.threshold,
+    if (found.worst == Kind::not_run) return letter_of(found.absence);
+    if (found.worst == Kind::ok)
+        return found.reached < last ? fmt::format("-- to {:.3g}", found.reached) : "--";
+    bool const first_digits = is_gross(found.worst) && found.threshold < found.gross;
+    return (first_digits ? fmt::format("{:.3g}\\,D, ", found.threshold) : "") +
+           fmt::format("{:.3g}\\,{}", is_gross(found.worst) ? found.gross : found.threshold,
                        letters.at(static_cast<std::size_t>(found.worst)));
 }
 
@@ -109,7 +123,8 @@ std::string table_of(Atlas const& atlas) {
         std::vector<std::string> cells{
             scene.name + (limited ? "$^\\dagger$" : ""), parameter,
             fmt::format("{:g} \\dots {:g}", scene.levels.front(), scene.levels.back())};
-        for (std::size_t const c : columns) cells.push_back(in_short(atlas.rows[r].cells[c]));
+        for (std::size_t const c : columns)
+            cells.push_back(in_short(atlas.rows[r].cells[c], scene.levels.back()));
         rows.push_back(cells);
     }
     return tabular("lll" + std::string(columns.size(), 'l'), head, rows);
@@ -145,9 +160,14 @@ Macros macros_of(Atlas const& atlas, Profile const profile, Verdict const verdic
     macros.define("AbsoluteTimeFailures", cell(atlas.failures(atlas.column("absolute time"))));
     macros.define("FloorFailures", cell(atlas.failures(atlas.column("cell by floor(x)"))));
     macros.define("Ties", ties_of(atlas));
-    for (Scene const& scene : atlas.scenes)
-        if (scene.name == "long run")
-            macros.define("LongestRun", significant(std::pow(10.0, scene.levels.back()), 1));
+    Extent longest;
+    for (Row const& row : atlas.rows) {
+        Extent const& extent = row.cells[atlas.column(champion)].extent;
+        if (extent.collisions > longest.collisions) longest = extent;
+    }
+    macros.define("LongestRun", significant(longest.collisions, 2));
+    macros.define("LongestDrift", significant(longest.energy_drift, 1));
+    macros.define("LongestOverlap", significant(longest.deepest_overlap, 1));
     return macros;
 }
 
@@ -158,18 +178,20 @@ void show(Scene const& scene, std::vector<Contender> const& contenders, Row cons
     for (std::size_t c = 0; c < contenders.size(); ++c) {
         Cell const& found = row.cells[c];
         if (found.worst == Kind::ok || found.worst == Kind::not_run) continue;
-        std::cout << fmt::format("    {:20} {} from k = {:.3g} on, {:.1f} digits lost\n",
+        std::cout << fmt::format("    {:20} {}: digits from k = {:.3g} on, more from {:.3g} on, "
+                                 "{:.1f} digits lost\n",
                                  contenders[c].name, name_of(found.worst), found.threshold,
-                                 found.digits);
+                                 found.gross, found.digits);
     }
 }
 
 Verdict ask(Experiment& experiment) {
     Atlas atlas{scenes(experiment.profile()), contenders(), {}};
     SoftBalls soft;
+    std::string const with = soft.name();
     for (Scene const& scene : atlas.scenes) {
         std::string const point =
-            fmt::format("{} k={} to {}", scene.name, scene.levels.front(), scene.levels.back());
+            fmt::format("{} k={} {}", scene.name, fmt::join(scene.levels, ","), with);
         auto const found = experiment.campaign().replicates(point, 1, [&](std::uint64_t) {
             return flat(RowMeasurement(scene, atlas.contenders).measure(soft));
         });
