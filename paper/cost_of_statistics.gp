@@ -17,7 +17,8 @@ set xrange [2e-4:100]
 set yrange [1e-4:0.3]
 set xlabel 'processor time, s'
 set ylabel 'error of {/:Italic Z}, relative' offset 0.6, 0
-set key bottom right reverse Left samplen 3 font ',8'
+set key bottom right reverse Left samplen 3 width 2 font ',8'
+set label 1 'bias: more time buys no digit' at graph 0.97, 0.93 right font ',8'
 # The slope of -1/2 through the first point of the engine.
 anchor = system(sprintf("awk -F, '$1 == \"fast\" { print $4 * $5^2; exit }' %s", file)) + 0
 root(x) = x < 0.3 ? sqrt(anchor / x) : NaN

@@ -8,6 +8,7 @@ twins = data . '/lyapunov_twins.csv'
 counts = '27 100 1000'
 style(k) = k == 1 ? 3 : k == 2 ? 2 : 1
 of(boundary, n, y) = strcol(1) eq boundary && $3 == n ? y : NaN
+held_out(y) = strcol(8) eq 'fitted' ? NaN : y
 
 set datafile missing NaN # so that lines go on past other rows
 set multiplot
@@ -27,6 +28,7 @@ plot dilute(x) with lines ls 9 title 'dilute theory', \
      for [k = 1:3] tangent using 2:(of('walls', word(counts, k) + 0, $6)) with lines ls style(k) lw thin, \
      for [k = 1:3] tangent using 2:(of('walls', word(counts, k) + 0, $4)):5 with yerrorbars ls style(k) pt 7 title sprintf('walls, {/:Italic n} = %s', word(counts, k)), \
      for [k = 2:3] tangent using 2:(of('periodic', word(counts, k) + 0, $4)):5 with yerrorbars ls style(k) pt 6 title sprintf('periodic, {/:Italic n} = %s', word(counts, k)), \
+     tangent using 2:(held_out($4)):5 with yerrorbars ls 8 lc rgb '#000000' lw thin pt 2 ps 0.6 title 'not fitted to', \
      twins using 2:4:5 with yerrorbars ls 4 pt 1 ps 1.2 title 'twin runs, {/:Italic n} = 100'
 
 set tmargin at screen 0.37
@@ -40,5 +42,6 @@ set xlabel 'packing fraction ' . eta
 unset key
 plot 0 with lines ls 10, \
      for [k = 1:3] tangent using 2:(of('walls', word(counts, k) + 0, 100 * ($4 / $6 - 1))):(100 * $5 / $6) with yerrorbars ls style(k) pt 7, \
-     for [k = 2:3] tangent using 2:(of('periodic', word(counts, k) + 0, 100 * ($4 / $6 - 1))):(100 * $5 / $6) with yerrorbars ls style(k) pt 6
+     for [k = 2:3] tangent using 2:(of('periodic', word(counts, k) + 0, 100 * ($4 / $6 - 1))):(100 * $5 / $6) with yerrorbars ls style(k) pt 6, \
+     tangent using 2:(held_out(100 * ($4 / $6 - 1))):(100 * $5 / $6) with yerrorbars ls 8 lc rgb '#000000' lw thin pt 2 ps 0.6
 unset multiplot

@@ -6,6 +6,7 @@
 #include "validation/harness/experiment.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <functional>
@@ -45,8 +46,9 @@ std::vector<Line> measured(Experiment& experiment, Plan const& plan) {
     auto const add = [&](std::string const& method, std::string const& knob, int const replicates,
                          Measure const& measure) {
         std::string const text =
-            fmt::format("{} {} packing_fraction={} count={} longest={}", method, knob,
-                        plan.point.packing_fraction, plan.point.count, plan.durations.back());
+            fmt::format("{} {} packing_fraction={} count={} durations={} stepped={}", method, knob,
+                        plan.point.packing_fraction, plan.point.count,
+                        fmt::join(plan.durations, ","), plan.stepped_durations);
         lines.push_back(
             {method, knob, experiment.campaign().replicates(text, replicates, measure)});
     };
@@ -68,13 +70,13 @@ std::vector<Line> measured(Experiment& experiment, Plan const& plan) {
     return lines;
 }
 
-/// Slope of the logarithm of the error by that of the duration, replicate by replicate.
+/// Slope of the logarithm of the error by that of the processor time, replicate by replicate.
 Comparison slope(Line const& line, Plan const& plan) {
     std::vector<double> slopes;
     for (Measurement const& replicate : line.replicates) {
         double n = 0, x_sum = 0, y_sum = 0, xx_sum = 0, xy_sum = 0;
         for (std::size_t k = 0; k < line.durations(); ++k) {
-            double const x = std::log(plan.durations[k]);
+            double const x = std::log(replicate[2 * k]);
             double const y = std::log(std::abs(replicate[2 * k + 1] - plan.point.theory()));
             n += 1;
             x_sum += x;

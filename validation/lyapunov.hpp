@@ -21,6 +21,10 @@ namespace clack::validation::lyapunov {
 constexpr double equilibration = 30; // collisions per ball
 constexpr double alignment = 30;     // the same, until a vector has turned to where it grows most
 
+/// What a point has to do with the formula: it was fitted to measurements at some, and is judged
+/// at others that it has not seen.
+enum class Part { fitted, held_out };
+
 /// A fluid in a cube, and how long a tangent vector is carried along it.
 struct StatePoint {
     Boundary boundary;
@@ -28,6 +32,7 @@ struct StatePoint {
     std::int64_t count;
     double collisions_per_ball;
     int replicates;
+    Part part = Part::fitted;
 
     char const* boundary_name() const { return boundary == Boundary::walls ? "walls" : "periodic"; }
     System system() const {
@@ -41,28 +46,43 @@ struct StatePoint {
     }
 };
 
+/// Other numbers and packing fractions than those of the fit, of both inside their range.
+inline std::vector<StatePoint> held_out_points(double const longer) {
+    std::vector<StatePoint> points;
+    for (Boundary const boundary : {Boundary::walls, Boundary::periodic})
+        for (auto const& [packing_fraction, count] :
+             {std::pair{0.003, 300}, {0.025, 60}, {0.1, 500}, {0.25, 60}, {0.35, 200}, {0.43, 400}})
+            points.push_back(
+                {boundary, packing_fraction, count, longer * 4e4 / count, 8, Part::held_out});
+    return points;
+}
+
 /// Dilute to nearly freezing. The shorter runs of more balls hold as many collisions.
 inline std::vector<StatePoint> state_points(Profile const profile) {
-    double const longer = profile == Profile::quick ? 1 : 40;
-    std::vector<StatePoint> points;
+    bool const full = profile == Profile::full;
+    double const longer = full ? 40 : 1;
+    int const replicates = full ? 8 : 3; // at points that are shown but not judged
+    std::vector<StatePoint> points = held_out_points(longer);
     for (double const packing_fraction : {0.001, 0.01, 0.05, 0.2, 0.3, 0.4, 0.45}) {
         for (auto const& [count, collisions] : {std::pair{27, 600.0}, {100, 400.0}, {1000, 80.0}}) {
             if (count == 27 && packing_fraction > 0.4) continue; // would stay a crystal
-            points.push_back({Boundary::walls, packing_fraction, count, longer * collisions, 8});
+            points.push_back(
+                {Boundary::walls, packing_fraction, count, longer * collisions, replicates});
         }
         for (auto const& [count, collisions] : {std::pair{100, 400.0}, {1000, 80.0}})
-            points.push_back({Boundary::periodic, packing_fraction, count, longer * collisions, 8});
+            points.push_back(
+                {Boundary::periodic, packing_fraction, count, longer * collisions, replicates});
     }
     return points;
 }
 
-/// Where quad runs are compared with their twins.
+/// Where quad runs are compared with their twins: the more of them, the sooner they part.
 inline std::vector<StatePoint> twin_points(Profile const profile) {
+    int const times = profile == Profile::quick ? 1 : 10;
     std::vector<StatePoint> points;
     for (Boundary const boundary : {Boundary::walls, Boundary::periodic})
-        for (double const packing_fraction : {0.05, 0.2, 0.4})
-            points.push_back(
-                {boundary, packing_fraction, 100, 0, profile == Profile::quick ? 4 : 40});
+        for (auto const& [packing_fraction, replicates] : {std::pair{0.05, 12}, {0.2, 6}, {0.4, 4}})
+            points.push_back({boundary, packing_fraction, 100, 0, times * replicates});
     return points;
 }
 

@@ -4,6 +4,7 @@
 
 #include "simulation/model_choice.hpp"
 #include "validation/harness/experiment.hpp"
+#include "validation/horizon_limits.hpp"
 #include "validation/stepped_runs.hpp"
 
 #include <fmt/format.h>
@@ -24,16 +25,11 @@ Question const question{
     "What does one more correct digit cost with each method, where can it no longer be bought, "
     "and do the engine's floating types last as long as their rounding allows?",
     "the collisions per ball until a run in a floating type departs from the oracle's: at least "
-    "95 % of those of the exact motion from a start whose numbers are off by one rounding unit; "
-    "gain from float to long double over that by the Lyapunov exponent: 1 +- 0.15, for exponents "
+    "95 % of those of the exact motion from a start whose numbers are off by one rounding unit, "
+    "and of those until such an error, grown in tangent space along the same run, decides whom "
+    "balls meet; gain from float to long double over that by the Lyapunov exponent: 1 +- 0.15, for "
+    "exponents "
     "fluctuate over so few collisions"};
-
-constexpr double horizon_margin = 0.05, gain_margin = 0.15;
-
-/// Where the values of one line stand in a Measurement.
-struct Line {
-    std::string method, knob;
-};
 
 std::vector<double> frame_steps(StatePoint const& point, Profile const profile) {
     std::vector<double> steps{0.3, 0.1, 0.03, 0.01};
@@ -62,32 +58,36 @@ std::vector<Line> engine_lines(StatePoint const& point) {
 }
 
 void append(Measurement& values, Point const& p) {
-    values.insert(values.end(),
-                  {p.cost, p.median, p.largest, p.horizon, p.overlap, p.drift, p.limit});
+    values.insert(values.end(), {p.cost, p.median, p.largest, p.horizon, p.overlap, p.drift,
+                                 p.limit, p.tangent_limit});
 }
 
 /// All methods go the same way to the last bit, so the errors are those of `fast`.
 Measurement measure_engine(StatePoint const& point, std::uint64_t const seed) {
     Scenery const place = scenery(point, seed);
     bool const few = point.count < 1000;
-    Run const oracle = run(place, Method::fast, Precision::quadruple, place.start,
-                           followed(point, few ? Precision::extended : Precision::double_));
+    ErrorGrowth growth = growth_of(place, seed);
+    Run const oracle =
+        run(place, Method::fast, Precision::quadruple, place.start,
+            followed(point, few ? Precision::extended : Precision::double_), &growth);
     std::map<std::string, Point> of_type;
     for (Precision const precision : precisions) {
         bool const is_followed =
             precision < Precision::extended || (few && precision == Precision::extended);
         if (is_followed)
-            of_type[name_of(precision)] = point_of(point, place, precision, oracle, seed);
+            of_type[name_of(precision)] = point_of(point, place, precision, oracle, growth, seed);
     }
     if (point.with_decimal) {
         double const until = followed(point, Precision::quadruple);
         double const unit = reference::rounding_unit(Precision::quadruple);
         Run const decimal = decimal_run(place, until, 0, seed);
+        ErrorGrowth further = growth_of(place, seed);
         Point& quad_point = of_type["quad"];
-        quad_point =
-            compare(run(place, Method::fast, Precision::quadruple, place.start, until), decimal);
+        quad_point = compare(
+            run(place, Method::fast, Precision::quadruple, place.start, until, &further), decimal);
         quad_point.limit =
             matched(decimal.partners, decimal_run(place, until, unit, seed).partners);
+        quad_point.tangent_limit = further.limit(unit, seed);
     }
     Measurement values;
     for (Line const& line : engine_lines(point)) {
@@ -118,13 +118,6 @@ Measurement measure_stepped(StatePoint const& point, Profile const profile, std:
     return values;
 }
 
-/// One line of the table: a method with its knob at a state point, all replicates.
-struct Row {
-    StatePoint point;
-    Line line;
-    std::vector<Point> replicates;
-};
-
 std::vector<Row> rows_of(StatePoint const& point, std::vector<Line> const& lines,
                          std::vector<Measurement> const& replicates) {
     std::vector<Row> rows;
@@ -132,11 +125,18 @@ std::vector<Row> rows_of(StatePoint const& point, std::vector<Line> const& lines
         Row row{point, lines[k], {}};
         for (Measurement const& m : replicates) {
             double const* const v = m.data() + k * point_size;
-            row.replicates.push_back({v[0], v[1], v[2], v[3], v[4], v[5], v[6]});
+            row.replicates.push_back({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]});
         }
         rows.push_back(row);
     }
     return rows;
+}
+
+/// The knobs, as a campaign's key tells one profile's from another's.
+std::string names_of(std::vector<Line> const& lines) {
+    std::string names;
+    for (Line const& line : lines) names += (names.empty() ? "" : ",") + line.knob;
+    return names;
 }
 
 /// LAMMPS missing, or unable to go through with it, leaves its lines out.
@@ -148,7 +148,7 @@ void add_lammps(Experiment& experiment, StatePoint const& point, std::vector<Row
     try {
         std::string const deck = reference::lammps_deck("lammps_cube.in");
         auto const replicates = experiment.campaign().replicates(
-            point.text(fmt::format("lammps deck={:016x}", hash_of(deck))), 1,
+            point.text(fmt::format("lammps {} deck={:016x}", names_of(lines), hash_of(deck))), 1,
             [&](std::uint64_t const seed) {
                 return measure_stepped(point, experiment.profile(), deck, seed);
             });
@@ -173,7 +173,7 @@ std::vector<Row> measured(Experiment& experiment) {
         std::vector<Line> frames;
         for (double const step : frame_steps(point, experiment.profile()))
             frames.push_back({"frames", fmt::format("{:g}", step)});
-        add(frames, "frames", 1, [&](std::uint64_t const seed) {
+        add(frames, "frames " + names_of(frames), 1, [&](std::uint64_t const seed) {
             return measure_stepped(point, experiment.profile(), "", seed);
         });
         add_lammps(experiment, point, rows);
@@ -181,70 +181,37 @@ std::vector<Row> measured(Experiment& experiment) {
     return rows;
 }
 
-double mean(Row const& row, double Point::*const value) {
-    double sum = 0;
-    for (Point const& p : row.replicates) sum += p.*value;
-    return sum / static_cast<double>(row.replicates.size());
-}
-
 Csv csv_of(std::vector<Row> const& rows) {
     Csv csv({"packing_fraction", "count", "method", "knob", "cpu_seconds_per_ball_and_free_time",
              "median_error_per_diameter", "largest_error_per_diameter",
              "horizon_collisions_per_ball", "horizon_of_rounded_start", "lyapunov_limit",
-             "deepest_overlap_per_diameter", "energy_drift"});
+             "deepest_overlap_per_diameter", "energy_drift", "tangent_limit"});
     for (Row const& row : rows) {
-        double limit = -1;
-        for (Precision const precision : precisions)
-            if (row.line.knob == name_of(precision))
-                limit = row.point.limit(reference::rounding_unit(precision));
         csv.row({cell(row.point.packing_fraction), cell(row.point.count), row.line.method,
                  row.line.knob, cell(mean(row, &Point::cost)), cell(mean(row, &Point::median)),
                  cell(mean(row, &Point::largest)), cell(mean(row, &Point::horizon)),
-                 cell(mean(row, &Point::limit)), cell(limit), cell(mean(row, &Point::overlap)),
-                 cell(mean(row, &Point::drift))});
+                 cell(mean(row, &Point::limit)), cell(line_of(row)),
+                 cell(mean(row, &Point::overlap)), cell(mean(row, &Point::drift)),
+                 cell(mean(row, &Point::tangent_limit))});
     }
     return csv;
-}
-
-/// How far the horizon of a type falls short of the exact motion's from a start rounded to it;
-/// lasting longer is no fault.
-Comparison shortfall(std::vector<Row> const& rows, std::string const& type) {
-    std::vector<double> ratios;
-    for (Row const& row : rows)
-        if (row.line.method == "fast" && row.line.knob == type)
-            for (Point const& p : row.replicates)
-                if (p.limit > 0) ratios.push_back(p.horizon / p.limit);
-    Estimate short_of = mean_of(ratios);
-    short_of.value = std::max(1 - short_of.value, 0.0);
-    return {type + ": short of the limit of its rounding unit", short_of, 0, 0, horizon_margin};
-}
-
-/// What the digits from float to long double gain over what the exponent says they should.
-Comparison gain(std::vector<Row> const& rows) {
-    std::vector<double> ratios;
-    for (Row const& one : rows)
-        for (Row const& other : rows)
-            if (one.line.method == "fast" && one.line.knob == "float" &&
-                other.line.method == "fast" && other.line.knob == "long double" &&
-                one.point.count == other.point.count && other.point.count < 1000 &&
-                one.point.packing_fraction == other.point.packing_fraction)
-                for (std::size_t r = 0; r < one.replicates.size(); ++r)
-                    ratios.push_back(
-                        (other.replicates[r].horizon - one.replicates[r].horizon) /
-                        (other.point.limit(reference::rounding_unit(Precision::extended)) -
-                         one.point.limit(reference::rounding_unit(Precision::single_))));
-    return {"gain of a digit over the Lyapunov exponent's", mean_of(ratios), 1, 0, gain_margin};
 }
 
 Verdict ask(Experiment& experiment) {
     std::vector<Row> const rows = measured(experiment);
     std::vector<Comparison> comparisons;
     for (Precision const precision : precisions)
-        comparisons.push_back(shortfall(rows, name_of(precision)));
+        comparisons.push_back(shortfall(rows, name_of(precision), &Point::limit,
+                                        "the exact motion of a rounded start"));
+    for (Precision const precision : precisions)
+        comparisons.push_back(shortfall(rows, name_of(precision), &Point::tangent_limit,
+                                        "the growth of one rounding in tangent space"));
     comparisons.push_back(gain(rows));
     auto const judgements = judge(comparisons);
     Macros macros("WorkPrecision");
-    constexpr std::array names{"Float", "Double", "LongDouble", "Quad", "Gain"};
+    constexpr std::array names{"Float",        "Double",        "LongDouble",        "Quad",
+                               "FloatTangent", "DoubleTangent", "LongDoubleTangent", "QuadTangent",
+                               "Gain"};
     for (std::size_t k = 0; k < comparisons.size(); ++k) {
         Comparison const& c = comparisons[k];
         std::cout << fmt::format("{}: {:.3f} +- {:.3f}, expected {} +- {}: z = {:+.1f}  {}\n",
@@ -252,6 +219,7 @@ Verdict ask(Experiment& experiment) {
                                  judgements[k].z, name_of(judgements[k].verdict));
         macros.define(names[k], with_error(c.measured));
     }
+    define_ranges(macros, rows);
     Verdict const verdict = together(judgements);
     macros.define("Profile", name_of(experiment.profile()));
     macros.define("FinalTime", significant(final_time, 2));

@@ -8,6 +8,7 @@
 #include "simulation/epoch.hpp"
 #include "simulation/simulation.hpp"
 #include "validation/collision_prefix.hpp"
+#include "validation/error_growth.hpp"
 #include "validation/exact_places.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/lattice_start.hpp"
@@ -37,10 +38,13 @@ struct StatePoint {
             std::cbrt(static_cast<double>(count) * std::numbers::pi / (6 * packing_fraction));
         return {.side = std::round(side * 0x1p16) * 0x1p-16, .count = count};
     }
+    /// What a campaign's key has to say beside the method and its knobs.
     std::string text(std::string const& what) const {
-        return fmt::format("{} packing_fraction={} count={}", what, packing_fraction, count);
+        return fmt::format("{} packing_fraction={} count={} decimal={}", what, packing_fraction,
+                           count, with_decimal);
     }
-    /// Collisions per ball until an error of the rounding unit has grown to a diameter.
+    /// Collisions per ball until an error of the rounding unit has grown to a diameter: the line
+    /// that is drawn.
     double limit(double const unit) const {
         return -std::log(unit * system().side) /
                reference::lyapunov_exponent_per_collision(system());
@@ -67,6 +71,10 @@ struct Scenery {
     System system;
     Start start;
     double mean_free_time;
+
+    double mean_free_path() const { // at kT = m = 1
+        return mean_free_time * std::sqrt(8 / std::numbers::pi);
+    }
 };
 
 inline Scenery scenery(StatePoint const& point, std::uint64_t const seed) {
@@ -91,16 +99,29 @@ inline Partners partners_of(MeetingRecorder const& recorder, Start const& start)
     return collision_prefix::partners_of(segment);
 }
 
+/// Who meets whom, and how an error grows on the way where somebody asks.
+struct Recorder final : CollisionObserver {
+    MeetingRecorder meetings;
+    ErrorGrowth* growth = nullptr;
+
+    void operator()(Collision<double> const& collision) override {
+        meetings(collision);
+        if (growth) (*growth)(collision);
+    }
+};
+
 /// Goes on until so many mean free times.
-inline Run run(Engine& engine, Scenery const& scenery, double const until) {
+inline Run run(Engine& engine, Scenery const& scenery, double const until,
+               ErrorGrowth* const growth = nullptr) {
     Run run;
-    MeetingRecorder recorder;
+    Recorder recorder;
+    recorder.growth = growth;
     double const time = final_time * scenery.mean_free_time;
     quad const energy = exact_square_speed(engine.checkpoint(), scenery.system);
     engine.advance({.time = time}, &recorder);
     run.places = exact_places(engine.checkpoint(), scenery.system, time);
     engine.advance({.time = std::max(until * scenery.mean_free_time, time)}, &recorder);
-    run.partners = partners_of(recorder, scenery.start);
+    run.partners = partners_of(recorder.meetings, scenery.start);
     run.deepest_overlap = engine.tallies().deepest_overlap;
     quad const drift = exact_square_speed(engine.checkpoint(), scenery.system) / energy - 1;
     run.energy_drift = std::abs(static_cast<double>(drift));
@@ -108,9 +129,9 @@ inline Run run(Engine& engine, Scenery const& scenery, double const until) {
 }
 
 inline Run run(Scenery const& scenery, Method const method, Precision const precision,
-               Start const& start, double const until) {
+               Start const& start, double const until, ErrorGrowth* const growth = nullptr) {
     auto const engine = make_engine(scenery.system, method, precision, start);
-    return run(*engine, scenery, until);
+    return run(*engine, scenery, until, growth);
 }
 
 /// A quad run from the start with each number off by one rounding unit, up or down: what no program
@@ -186,9 +207,10 @@ struct Point {
     double median = -1, largest = -1; // error of positions: median and 99 % quantile  [diameters]
     double horizon = -1;              // collisions per ball until the sequence departs
     double overlap = -1, drift = -1;  // deepest  [diameters]; of the energy, relative
-    double limit = -1;                // what the horizon of this rounding unit can be at best
+    double limit = -1;                // what the horizon of this rounding unit can be at best: of
+    double tangent_limit = -1;        // the exact motion of a rounded start, and by tangent space
 };
-constexpr std::size_t point_size = 7;
+constexpr std::size_t point_size = 8;
 
 inline Point compare(Run const& one, Run const& oracle) {
     auto const errors = distances(one.places, oracle.places);
@@ -204,15 +226,20 @@ inline double followed(StatePoint const& point, Precision const precision) {
     return 1.4 * point.limit(reference::rounding_unit(precision)) + 4;
 }
 
+/// What tangent space says of the oracle's own way.
+inline ErrorGrowth growth_of(Scenery const& scenery, std::uint64_t const seed) {
+    return {scenery.system, scenery.start, scenery.mean_free_path(), seed};
+}
+
 /// The engine in one type, against the oracle and against the exact motion of a rounded start.
 inline Point point_of(StatePoint const& point, Scenery const& scenery, Precision const precision,
-                      Run const& oracle, std::uint64_t const seed) {
+                      Run const& oracle, ErrorGrowth const& growth, std::uint64_t const seed) {
     double const until = followed(point, precision);
     double const unit = reference::rounding_unit(precision);
     Point made = compare(run(scenery, Method::fast, precision, scenery.start, until), oracle);
-    if (precision != Precision::quadruple)
-        made.limit = matched(oracle.partners,
-                             run(*off_by_a_unit(scenery, unit, seed), scenery, until).partners);
+    made.limit =
+        matched(oracle.partners, run(*off_by_a_unit(scenery, unit, seed), scenery, until).partners);
+    made.tangent_limit = growth.limit(unit, seed);
     return made;
 }
 

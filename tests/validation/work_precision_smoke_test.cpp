@@ -18,15 +18,19 @@ constexpr StatePoint point{0.2, 27, 1};
 BOOST_AUTO_TEST_CASE(the_engine_lasts_as_long_as_its_rounding_allows_and_a_mutant_does_not) {
     auto const place = scenery(point, 2015);
     double const until = followed(point, Precision::double_);
-    Run const oracle = run(place, Method::fast, Precision::quadruple, place.start, until);
-    Point const engine = point_of(point, place, Precision::double_, oracle, 2015);
+    ErrorGrowth growth = growth_of(place, 2015);
+    Run const oracle = run(place, Method::fast, Precision::quadruple, place.start, until, &growth);
+    Point const engine = point_of(point, place, Precision::double_, oracle, growth, 2015);
     BOOST_TEST(engine.horizon > 0.85 * engine.limit); // one run: 8 % of luck
+    BOOST_TEST(engine.horizon > 0.85 * engine.tangent_limit);
+    BOOST_TEST(engine.horizon < 1.15 * engine.tangent_limit);
     BOOST_TEST(engine.largest < 1e-12);
 
     auto const wrong =
         mutants::make<WalledCube, mutants::WeakerImpulses>(place.system, place.start);
     Point const mutant = compare(run(*wrong, place, until), oracle);
     BOOST_TEST(mutant.horizon < 0.5 * engine.limit);
+    BOOST_TEST(mutant.horizon < 0.5 * engine.tangent_limit);
     BOOST_TEST(mutant.median > 1e-6);
 }
 
