@@ -76,10 +76,9 @@ inline std::string range_of(std::vector<Row> const& rows, double const packing_f
 /// The distances to the plain line and to the limit by tangent space: of the engine, and of the
 /// exact motion of a rounded start. Ranges over types and numbers of balls.
 inline void define_ranges(Macros& macros, std::vector<Row> const& rows) {
-    for (auto const& [name, packing_fraction] :
-         {std::pair{"Dilute", 0.05}, {"Middle", 0.2}, {"Dense", 0.4}}) {
+    for (auto const& part : {std::pair{"Dilute", 0.05}, {"Middle", 0.2}, {"Dense", 0.4}}) {
         auto const define = [&](std::string const& which, auto const& ratio) {
-            macros.define(name + which, range_of(rows, packing_fraction, ratio));
+            macros.define(part.first + which, range_of(rows, part.second, ratio));
         };
         define("OfLine", [](Row const& row) { return mean(row, &Point::horizon) / line_of(row); });
         define("ExactOfLine",
