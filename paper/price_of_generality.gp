@@ -1,5 +1,5 @@
-# What each ingredient costs a collision that does not need it (above), and the rate of the model
-# that `auto` chooses over that of the best method (middle: walls, below: periodic).
+# What each ingredient costs a collision that does not need it (above), and a map of the models that
+# `auto` chooses with their rate over that of the best method (middle: walls, below: periodic).
 height = 15.5
 load 'paper/style.gp'
 
@@ -7,17 +7,15 @@ prices = data . '/price_of_generality.csv'
 choices = data . '/price_of_generality_auto.csv'
 fractions = system(sprintf("grep -v '^#' %s | tail -n +2 | cut -d, -f3 | sort -gu | tr '\n' ' '", choices))
 rows = int(system(sprintf("grep -v '^#' %s | tail -n +2 | wc -l", prices)))
-largest = real(system(sprintf("grep -v '^#' %s | tail -n +2 | cut -d, -f2 | sort -g | tail -n 1", choices)))
 shortest = 0.85
 longest = 1.25
 within(x) = x < shortest ? shortest : x > longest ? longest : x
-only(boundary, k, y) = strcol(1) eq boundary && $3 == real(word(fractions, k)) ? y : NaN
 
 set multiplot
 set datafile missing NaN
 
 set tmargin at screen 0.985
-set bmargin at screen 0.565
+set bmargin at screen 0.60
 set lmargin at screen 0.40
 set rmargin at screen 0.785
 set xrange [shortest:longest]
@@ -34,30 +32,50 @@ plot prices using (within($3)):0:(1):(within($3)):($0 - 0.3):($0 + 0.3):ytic(@na
      prices using (longest):0:(sprintf($3 < 2 ? '%.3f ± %.3f' : '%.1f ± %.1f', $3, $4)) every ::1 with labels left offset 0.6, 0
 unset arrow
 
+# A map of the methods: what `auto` chooses by number of balls and packing fraction, and its rate
+# over that of the best method.
+models = 'EveryPair+CollisionTable EveryPair+BinaryHeap EveryPair+Calendar CellGrid+Calendar NeighbourList+Calendar'
+titles = '"table" "all pairs, heap" "all pairs, calendar" "cells, calendar" "lists, calendar"'
+array colours[5] = [0xdddddd, 0xf3d08a, 0xe69f00, 0x9fd3f0, 0x7fcdb4]
+counts = system(sprintf("grep -v '^#' %s | tail -n +2 | cut -d, -f2 | sort -gu | tr '\n' ' '", choices))
+# The place of a number in a list; 0 where it is not there.
+place(list, x) = (sum [k = 1:words(list)] (real(word(list, k)) == x ? k : 0))
+model(search, queue) = (sum [k = 1:words(models)] (word(models, k) eq search . '+' . queue ? k : 0))
+colour(search, queue) = (model(search, queue) > 0 ? colours[model(search, queue)] : 0xffffff)
+row(boundary, y) = (strcol(1) eq boundary ? y : NaN)
+
 set lmargin at screen 0.155
-set rmargin at screen 0.965
-set logscale x
-set xrange [1.6:1.3 * largest]
-set yrange [0.8:1.6]
-set ytics 0.2 scale 0.6
-set ylabel 'rate of auto / best method' offset 1.0, -4.5
-set arrow from graph 0, first 0.9 to graph 1, first 0.9 nohead ls 9
-set arrow from graph 0, first 1 to graph 1, first 1 nohead ls 10
-set key top right maxrows 2 samplen 2 width 0
-
-set tmargin at screen 0.475
-set bmargin at screen 0.29
-set xtics ('' 2, '' 4, '' 8, '' 16, '' 32, '' 64, '' 128, '' 500, '' 2000, '' 8000, '' 32000)
+set rmargin at screen 0.985
+set xrange [0.5:words(counts) + 0.5]
+set yrange [0.5:words(fractions) + 0.5]
+set style fill solid border lc rgb '#ffffff'
+unset xtics
+set ytics () scale 0
+do for [k = 1:words(fractions)] { set ytics add (word(fractions, k) k) }
+set ylabel 'packing fraction ' . eta offset 1.0, -4.8
 unset xlabel
-set label 1 'walls' at graph 0.03, 0.9
-plot for [k = 1:words(fractions)] choices using 2:(only('walls', k, $12)):13 with yerrorlines ls k lw thin title (k == 1 ? eta . ' = ' : '') . word(fractions, k)
+do for [k = 1:5] {
+    x = 0.03 + (k > 2 ? 0.345 * (k - 3) : 0.345 * (k - 1) + 0.17)
+    y = k > 2 ? 0.470 : 0.492
+    set object k rect from screen x, y to screen x + 0.026, y + 0.012 fc rgb colours[k] fs solid border lc rgb '#777777'
+    set label k word(titles, k) at screen x + 0.04, y + 0.006 left font ',8'
+}
+map = "plot choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(0.5):(0.5):(colour(strcol(4), strcol(5))) every ::1 with boxxyerror lc rgb variable, choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(sprintf('%.2f', $12)) every ::1 with labels font ',4.6'"
 
-set tmargin at screen 0.26
+set tmargin at screen 0.435
+set bmargin at screen 0.265
+boundary = 'walls'
+set label 9 'walls: what auto chooses, and its rate / best method' at graph 0, 1.07 left font ',8'
+eval map
+do for [k = 1:5] { unset object k; unset label k }
+
+set tmargin at screen 0.235
 set bmargin at screen 1.1 / height
-set xtics (2, 4, 8, 16, 32, 64, 128, 500, 2000, 8000, 32000)
+set xtics scale 0 font ',7' ('' 1)
+do for [k = 1:words(counts)] { set xtics add (word(counts, k) k) }
 set xlabel 'number of balls {/:Italic n}' offset 0, 0.6
 unset ylabel
-unset key
-set label 1 'periodic'
-plot for [k = 1:words(fractions)] choices using 2:(only('periodic', k, $12)):13 with yerrorlines ls k lw thin
+boundary = 'periodic'
+set label 9 'periodic' at graph 0, 1.07
+eval map
 unset multiplot
