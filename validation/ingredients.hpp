@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 
 namespace clack::validation {
 
@@ -70,59 +69,6 @@ template <class Real> struct MassOfEach : ElasticBalls<Real> {
             turn_apart(velocity_i, velocity_j, separation, distance2);
         return -(mass_j * share_j) * kick;
     }
-};
-
-/// A diameter for each ball. A prediction knows no record but as a pair, so that the radii cannot
-/// come from where they would stand, behind the velocities that are turned into lanes: here they
-/// are read from one place each time, an instruction for an instruction, and are all the same.
-template <class Real> struct DiameterOfEach : ElasticBalls<Real> {
-    explicit DiameterOfEach(System const& system)
-        : ElasticBalls<Real>(system), radius_(static_cast<Real>(system.diameter / 2)),
-          others_(broadcast(radius_)) {}
-
-    /// SteadyDiameter's, with another diameter in each lane.
-    template <class Number>
-    [[gnu::always_inline]] Number contact_time(Pair<Number> const& p) const {
-        Number const zero{};
-        Number never = zero + std::numeric_limits<Real>::quiet_NaN();
-        Number const b = p.x * p.vx + p.y * p.vy + p.z * p.vz;
-        if constexpr (!is_lanes<Number>) {
-            if (!(b < 0)) return never;
-        }
-        Number const reach = radius_of_other<Number>() + radius_;
-        Number const reach2 = reach * reach;
-        Number const c = p.x * p.x + p.y * p.y + p.z * p.z - reach2;
-        Number const speed2 = p.vx * p.vx + p.vy * p.vy + p.vz * p.vz;
-        Number const cross_x = p.y * p.vz - p.z * p.vy;
-        Number const cross_y = p.z * p.vx - p.x * p.vz;
-        Number const cross_z = p.x * p.vy - p.y * p.vx;
-        Number const cross2 = cross_x * cross_x + cross_y * cross_y + cross_z * cross_z;
-        Number const disc = select(c < reach2, b * b - speed2 * c, speed2 * reach2 - cross2);
-        if constexpr (!is_lanes<Number>) {
-            if (c > zero && disc < zero) return never;
-        }
-        Number const root = square_root(select(c > zero, disc, b * b));
-        Number const when = p.time + select(c > zero, c, zero) / (root - b);
-        return select(b < zero, when, never);
-    }
-
-    Real diameter_squared(Pair<Real> const& /*pair*/, Real /*time*/) const {
-        Real const reach = radius_of_other<Real>() + radius_;
-        return reach * reach;
-    }
-
-private:
-    /// Read anew each time: volatile, or the compiler would read it once for all pairs.
-    template <class Number> [[gnu::always_inline]] Number radius_of_other() const {
-        if constexpr (is_lanes<Number>) {
-            return const_cast<Number const volatile&>(others_);
-        } else {
-            return radius_;
-        }
-    }
-
-    Real radius_;
-    Lanes<Real> others_;
 };
 
 /// Collisions that may lose energy. The normal relative velocity comes back `restitution` times.

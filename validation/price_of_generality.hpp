@@ -15,6 +15,7 @@
 #include "validation/harness/processor_time.hpp"
 #include "validation/harness/ratio.hpp"
 #include "validation/ingredients.hpp"
+#include "validation/sized_balls.hpp"
 
 #include <fmt/format.h>
 
@@ -127,7 +128,7 @@ enum class Sameness {
 
 enum class Priced {
     whole,
-    from_below // as far as the record of a ball has room for it (ingredients.hpp)
+    from_below // as far as the seams carry it (ingredients.hpp)
 };
 
 /// Something that a scene may ask for, neutral in the scene at hand.
@@ -161,7 +162,7 @@ inline std::vector<Ingredient> const& ingredients() {
     static std::vector<Ingredient> const all{
         {"periodic code", run_with<double, WrappedPairs>},
         {"a mass for each ball", run_with<double, MassOfEach>},
-        {"a diameter for each ball", run_with<double, DiameterOfEach>, bits, from_below},
+        {"a diameter for each ball", run_with<double, DiameterOfEach>},
         {"a restitution", run_with<double, Restitution>},
         {"a constant field", run_with<double, ConstantField>, bits, from_below},
         {"growing balls", run_with<double, UngrownBalls>, first_collisions},

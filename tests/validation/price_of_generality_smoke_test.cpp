@@ -56,6 +56,28 @@ BOOST_AUTO_TEST_CASE(heavier_ball_keeps_momentum_and_energy) {
     BOOST_TEST(vj[0] > vi[0]);
 }
 
+// With diameters that differ, and not only what is neutral: cells, vectors and ties go by them.
+BOOST_AUTO_TEST_CASE(balls_of_two_sizes_meet_at_the_sum_of_their_radii) {
+    System const system = cube(Boundary::periodic, 256, 0.3);
+    Start const start = lattice_start(system, 1);
+    BallState<double, PeriodicCube<double>> state(system, start, epoch_length(system, speed));
+    auto const excess = [](std::int64_t ball) { return ball % 3 == 0 ? 0.0 : -0.2; };
+    for (std::int32_t ball = 0; ball < state.count(); ++ball) state[ball].unused = excess(ball);
+    double const energy = state.kinetic_energy();
+    Simulation<double, PeriodicCube, CellGrid, Calendar, DiameterOfEach> simulation(
+        std::move(state));
+    double off = 0;
+    int of_both_sizes = 0;
+    simulation.advance({.ball_collisions = 5'000}, [&](Collision<double> const& collision) {
+        double const reach = 1 + excess(collision.first) + excess(collision.second);
+        off = std::max(off, std::abs(collision.separation.norm() - reach));
+        of_both_sizes += excess(collision.first) != excess(collision.second);
+    });
+    BOOST_TEST(off < 1e-13);
+    BOOST_TEST(of_both_sizes > 1'000);
+    BOOST_TEST(simulation.state().kinetic_energy() == energy, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(normal_velocity_comes_back_by_the_restitution) {
     Restitution<double> const model(small, 0.5);
     auto const [vi, vj] = head_on([&](Ball<double>& i, Ball<double>& j) {
