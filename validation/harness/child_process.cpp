@@ -8,12 +8,35 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 
 namespace clack::validation {
 
 namespace {
+
+/// Repeats a system call that a signal interrupted.
+template <class Call> ssize_t again(Call const& call) {
+    ssize_t result = 0;
+    do {
+        result = call();
+    } while (result < 0 && errno == EINTR);
+    return result;
+}
+
+/// Whether all went through the pipe, which may take it in parts.
+bool write_all(int const pipe, Measurement const& values) {
+    auto const bytes = std::as_bytes(std::span(values));
+    for (std::size_t done = 0; done < bytes.size();) {
+        ssize_t const part =
+            again([&] { return write(pipe, bytes.data() + done, bytes.size() - done); });
+        if (part < 0) return false;
+        done += static_cast<std::size_t>(part);
+    }
+    return true;
+}
 
 /// The child's part: never returns, and flushes nothing that the parent has yet to flush.
 [[noreturn]] void work_and_tell(std::function<Measurement()> const& work, int const pipe,
@@ -25,9 +48,7 @@ namespace {
         (void)std::signal(deadly, SIG_DFL); // not what the parent does about it
     int status = EXIT_FAILURE;
     try {
-        Measurement const values = work();
-        std::size_t const bytes = values.size() * sizeof(double);
-        if (write(pipe, values.data(), bytes) == static_cast<ssize_t>(bytes)) status = EXIT_SUCCESS;
+        if (write_all(pipe, work())) status = EXIT_SUCCESS;
     } catch (...) { // a crash like any other, and no way back into the parent's program
         status = EXIT_FAILURE;
     }
@@ -35,10 +56,13 @@ namespace {
 }
 
 Measurement read_all(int const pipe) {
-    Measurement values;
-    double value = 0;
-    while (::read(pipe, &value, sizeof value) == static_cast<ssize_t>(sizeof value))
-        values.push_back(value);
+    std::vector<char> bytes;
+    std::array<char, 4096> part{};
+    for (ssize_t size = 0;
+         (size = again([&] { return ::read(pipe, part.data(), part.size()); })) > 0;)
+        bytes.insert(bytes.end(), part.begin(), part.begin() + size);
+    Measurement values(bytes.size() / sizeof(double));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
     return values;
 }
 
@@ -57,8 +81,7 @@ ChildResult run_in_child(std::function<Measurement()> const& work, unsigned cons
     Measurement const values = read_all(ends[0]);
     close(ends[0]);
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    again([&] { return waitpid(child, &status, 0); });
     if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
         return {ChildEnd::out_of_time, {}};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS) return {ChildEnd::crashed, {}};

@@ -63,6 +63,6 @@ elif [ $# = 3 ]; then
   for k in $(seq $(($(wc -l < "$1") - 1))); do run "$1" "$2" "$3" "$k" || status=1; done
   exit "$status"
 else
-  sed -n '5,14s/^# \{0,1\}//p' "$0" >&2
+  sed -n '5,16s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
