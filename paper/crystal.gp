@@ -26,11 +26,14 @@ plot 3 with lines ls 9 title 'free volume', \
 
 set tmargin at screen 0.555
 set bmargin at screen 0.37
-set yrange [0:0.69]
-set ytics 0.2
+set yrange [0.46:0.615]
+set ytics 0.05
 set ylabel 'bond order {/:Italic Q}_6'
-set key bottom right
-plot 0.57452 with lines ls 9 title 'lattice', \
+unset key
+set label 1 'fcc' at 0.745, 0.588 right
+set label 2 'bcc' at 0.745, 0.523 right
+set label 3 'hcp' at 0.745, 0.472 right
+plot 0.57452 with lines ls 9, 0.51069 with lines ls 3, 0.48476 with lines ls 4, \
      points using 1:8:9 with yerrorbars ls 2 pt 7
 
 set tmargin at screen 0.345
@@ -40,9 +43,10 @@ set yrange [-7:5]
 set ytics -4, 4
 set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'packing fraction ' . eta
+unset label
 set key bottom left horizontal Left reverse samplen 1
 plot 0 with lines ls 1, \
-     results using ($2 - 0.002):(strcol(1) eq 'virial' ? $8 : NaN):(1) with yerrorbars ls 2 pt 7 title 'virial', \
-     results using ($2 + 0.000):(strcol(1) eq 'rate' ? $8 : NaN):(1) with yerrorbars ls 4 pt 6 title 'rate', \
-     results using ($2 + 0.002):(strcol(1) eq 'virial_speedy' ? $8 : NaN):(1) with yerrorbars ls 3 pt 8 title 'Speedy'
+     results using ($1 - 0.002):(strcol(2) eq 'virial' ? $8 : NaN):(1) with yerrorbars ls 2 pt 7 title 'virial', \
+     results using ($1 + 0.000):(strcol(2) eq 'rate' ? $8 : NaN):(1) with yerrorbars ls 4 pt 6 title 'rate', \
+     results using ($1 + 0.002):(strcol(2) eq 'virial_speedy' ? $8 : NaN):(1) with yerrorbars ls 3 pt 8 title 'Speedy'
 unset multiplot

@@ -7,7 +7,7 @@ load 'paper/style.gp'
 results = data . '/equation_of_state.csv'
 points = data . '/equation_of_state_infinite.csv'
 theory = data . '/equation_of_state_theory.csv'
-only(quantity, y) = strcol(1) eq quantity ? y : NaN
+only(quantity, y) = strcol(2) eq quantity ? y : NaN
 
 set multiplot
 set xrange [0:0.52]
@@ -32,9 +32,9 @@ set ylabel 'deviation, %' offset 0.3, 0
 unset key
 plot 0 with lines ls 1, \
      theory using 1:(100 * ($3 - $2) / ($2 - 1)) with lines ls 3, \
-     results using ($2 - 0.004):(only('virial', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 2 pt 7, \
-     results using 2:(only('rate', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 4 pt 6, \
-     results using ($2 + 0.004):(only('contact', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 5 pt 8
+     results using ($1 - 0.004):(only('virial', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 2 pt 7, \
+     results using 1:(only('rate', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 4 pt 6, \
+     results using ($1 + 0.004):(only('contact', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 5 pt 8
 
 set tmargin at screen 0.31
 set bmargin at screen 1.1 / height
@@ -45,7 +45,7 @@ set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'packing fraction ' . eta
 set key bottom left horizontal maxrows 1 Left reverse samplen 1
 plot 0 with lines ls 1, \
-     results using ($2 - 0.004):(only('virial', $8)):(1) with yerrorbars ls 2 pt 7 title 'virial', \
-     results using 2:(only('rate', $8)):(1) with yerrorbars ls 4 pt 6 title 'rate', \
-     results using ($2 + 0.004):(only('contact', $8)):(1) with yerrorbars ls 5 pt 8 title 'contact'
+     results using ($1 - 0.004):(only('virial', $8)):(1) with yerrorbars ls 2 pt 7 title 'virial', \
+     results using 1:(only('rate', $8)):(1) with yerrorbars ls 4 pt 6 title 'rate', \
+     results using ($1 + 0.004):(only('contact', $8)):(1) with yerrorbars ls 5 pt 8 title 'contact'
 unset multiplot

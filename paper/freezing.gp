@@ -29,6 +29,6 @@ set ytics -4, 4
 set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'number density ' . rho . ', 1/' . sigma . '^3'
 plot 0 with lines ls 1, \
-     results using 2:(strcol(1) eq 'fluid' ? $8 : NaN):(1) with yerrorbars ls 2 pt 7, \
-     results using 2:(strcol(1) eq 'crystal' ? $8 : NaN):(1) with yerrorbars ls 4 pt 6
+     results using 1:(strcol(2) eq 'fluid' ? $8 : NaN):(1) with yerrorbars ls 2 pt 7, \
+     results using 1:(strcol(2) eq 'crystal' ? $8 : NaN):(1) with yerrorbars ls 4 pt 6
 unset multiplot

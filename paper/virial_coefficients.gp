@@ -34,5 +34,5 @@ set ytics -3, 3
 set ylabel 'residual, s.e.' offset 0.3, 0
 unset xlabel
 plot 0 with lines ls 1, \
-     results using 2:8:(1) with yerrorbars ls 2 pt 7
+     results using 1:8:(1) with yerrorbars ls 2 pt 7
 unset multiplot

@@ -48,8 +48,8 @@ set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'overall density {/:Italic n}/{/:Italic L}^3, 1/' . sigma . '^3' offset 0, 0.6
 set key bottom left horizontal maxrows 1 Left reverse samplen 1
 plot 0 with lines ls 1, \
-     results using ($2 - 0.008):(strcol(1) eq 'cube_impulse' ? $8 : NaN):(1) with yerrorbars ls 2 pt 7 title 'force', \
-     results using ($2 - 0.003):(strcol(1) eq 'hits_minus_impulse' ? $8 : NaN):(1) with yerrorbars ls 4 pt 6 title 'hits', \
-     results using ($2 + 0.003):(strcol(1) eq 'profile_minus_impulse' ? $8 : NaN):(1) with yerrorbars ls 5 pt 8 title 'profile', \
-     results using ($2 + 0.008):(strcol(1) eq 'middle_minus_bulk' ? $8 : NaN):(1) with yerrorbars ls 6 pt 4 title 'contact–bulk'
+     results using ($1 - 0.008):(strcol(2) eq 'cube_impulse' ? $8 : NaN):(1) with yerrorbars ls 2 pt 7 title 'force', \
+     results using ($1 - 0.003):(strcol(2) eq 'hits_minus_impulse' ? $8 : NaN):(1) with yerrorbars ls 4 pt 6 title 'hits', \
+     results using ($1 + 0.003):(strcol(2) eq 'profile_minus_impulse' ? $8 : NaN):(1) with yerrorbars ls 5 pt 8 title 'profile', \
+     results using ($1 + 0.008):(strcol(2) eq 'middle_minus_bulk' ? $8 : NaN):(1) with yerrorbars ls 6 pt 4 title 'contact–bulk'
 unset multiplot

@@ -31,6 +31,16 @@ Enskog::Enskog(double const packing_fraction) {
                            3 * bulk_viscosity / 2;
 }
 
+double momentum_flux_of(double const count) {
+    double const freedom = 3 * count - 3;
+    return (1 - 1 / count) * freedom / (freedom + 2);
+}
+
+double heat_flux_of(double const count) {
+    double const freedom = 3 * count - 3;
+    return momentum_flux_of(count) * (1 - 2 / count) * freedom / (freedom + 4);
+}
+
 double speedy_self_diffusion(double const number_density) {
     double const rho2 = number_density * number_density;
     return 3 * inv_sqrtpi / (8 * number_density) * (1 - number_density / 1.09) *

@@ -5,7 +5,7 @@ namespace clack::reference {
 
 /// Enskog's coefficients with Sonine polynomials of all orders. Exact in the limit of density zero,
 /// where the bulk viscosity vanishes; beyond, collisions are taken as uncorrelated but for the
-/// contact value, so that they are guide lines above a packing fraction of about 0.05:
+/// contact value, so that they are guide lines above a packing fraction of about 0.1:
 /// self-diffusion is then off by up to a third (number density 0.5), the shear viscosity by a
 /// factor of about 2 near freezing. Throws std::invalid_argument where modified_klm does. Source:
 /// S. Chapman, T. G. Cowling, The Mathematical Theory of Non-Uniform Gases (Cambridge, 1970), 16.;
@@ -25,6 +25,15 @@ struct Enskog {
 constexpr double self_diffusion_all_orders = 1.018954;
 constexpr double shear_viscosity_all_orders = 1.016034;
 constexpr double thermal_conductivity_all_orders = 1.025218;
+
+/// What constant energy and no total momentum leave of the mean square of the flux of momentum and
+/// of heat through a dilute gas of so many balls, and so of its shear viscosity and its thermal
+/// conductivity: (1 - 1/n) D / (D + 2) and (1 - 1/n) (1 - 2/n) D^2 / ((D + 2) (D + 4)) with
+/// D = 3n - 3, exactly. The rate at which the fluxes decay has no such term where it does not
+/// depend on speed (Maxwell's molecules). Source: moments of velocities that are uniform on that
+/// shell.
+double momentum_flux_of(double count);
+double heat_flux_of(double count);
 
 /// Self-diffusion of about 500 balls in a periodic cube, a fit to simulations: a guide line, low by
 /// 1 % at number density 0.5 and 4 % at 0.9.

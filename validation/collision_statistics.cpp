@@ -15,8 +15,8 @@ Question const question{
     "Are the rate, the normal speed, the impact parameter and the directions of collisions those "
     "of finitely many balls at constant energy, and the free flights of a dilute gas neither "
     "exponential nor their number Poisson's?",
-    "0.25 % for the laws of encounters: half of what it does to <b^2> to lose one grazing "
-    "collision in a hundred; for free flights half the distance from an exponential law"};
+    "0.25 % for the laws of encounters; for free flights half the distance from an exponential law",
+    "half of what it does to <b^2> to lose one grazing collision in a hundred"};
 
 /// One of the histograms of all points, with errors from the replicates.
 Csv histogram(std::vector<StatePoint> const& points,
@@ -25,9 +25,7 @@ Csv histogram(std::vector<StatePoint> const& points,
     Csv csv({"count", "packing_fraction", abscissa, "density", "density_error", "density_theory"});
     for (std::size_t p = 0; p < points.size(); ++p) {
         for (std::size_t k = 0; k < bins; ++k) {
-            std::vector<double> densities;
-            for (Measurement const& values : all[p]) densities.push_back(values[first + k]);
-            Estimate const density = mean_of(densities);
+            Estimate const density = mean_of(all[p], first + k);
             double const low = static_cast<double>(k) * width;
             // A bin's mean: the law's survival from a random instant has the flight's as its slope.
             using reference::free_flights::time_density;
@@ -46,13 +44,11 @@ Csv histogram(std::vector<StatePoint> const& points,
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"boundary", ""}, {"count", "$n$"}, {"packing_fraction", "$\\eta$"}});
     std::vector<StatePoint> const points = state_points(experiment.profile());
-    std::vector<std::vector<Measurement>> all;
+    auto const all = experiment.campaign().replicates(tasks_of(points, measure));
     double collisions = 0;
-    for (StatePoint const& point : points) {
-        all.push_back(experiment.campaign().replicates(
-            point.text(), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed); }));
-        enter(ledger, point, all.back());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        StatePoint const& point = points[k];
+        enter(ledger, point, all[k]);
         collisions += point.replicates * point.production * static_cast<double>(point.count) / 2;
     }
     experiment.write(
@@ -73,5 +69,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

@@ -19,8 +19,9 @@ Question const question{
     "complexity",
     "Does the report's table cost O(n^2) to start and O(n) a collision, and do cells cost O(n) to "
     "start and the same a collision at every n?",
-    "0.4 in the exponent: below half the distance of the integers in question it belongs to one of "
-    "them alone, and the caches have room"};
+    "0.4 in the exponent",
+    "below half the distance of the integers in question it belongs to one of them alone, and the "
+    "caches have room"};
 
 constexpr std::array quantities{Quantity::start, Quantity::collision};
 

@@ -8,6 +8,7 @@
 #include "validation/harness/options.hpp"
 #include "validation/harness/processor_time.hpp"
 #include "validation/harness/ratio.hpp"
+#include "validation/harness/straight_line.hpp"
 #include "validation/harness/verdict.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +18,6 @@
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include <gsl/gsl_fit.h>
 
 namespace clack::validation::complexity {
 
@@ -157,9 +156,8 @@ inline Power fit_power(std::vector<std::int64_t> const& counts, std::vector<doub
         x.push_back(std::log(static_cast<double>(counts[k])));
         y.push_back(std::log(costs[k]));
     }
-    double c0 = 0, c1 = 0, c00 = 0, c01 = 0, c11 = 0, squares = 0;
-    gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &c0, &c1, &c00, &c01, &c11, &squares);
-    return {c1, std::exp(c0)};
+    StraightLine const line = line_through(x, y);
+    return {line.slope, std::exp(line.at_0)};
 }
 
 enum class Quantity : std::size_t { start, collision };

@@ -19,10 +19,11 @@ Question const question{
     "conservation",
     "Do energy, momentum and the distances of balls and walls in contact keep to rounding over a "
     "long run?",
-    "energy and momentum 4 (2 + sqrt(collisions per ball)) roundings, for rounding errors wander; "
-    "overlap 16 roundings of a place and of the flight of one epoch, whatever the length of the "
-    "run; walls two roundings of the side; sixteen standard errors of the wandering, so that "
-    "chance plays no part"};
+    "energy and momentum: 4 (2 + sqrt(collisions per ball)) roundings; overlap: 16 roundings of a "
+    "place and of the flight of one epoch; walls: two roundings of the side",
+    "rounding errors wander; these are sixteen standard errors of it, so that chance plays no "
+    "part, "
+    "and those of the overlap do not grow with the length of the run"};
 
 struct Run {
     StatePoint point;

@@ -15,9 +15,10 @@ Question const question{
     "Does the pressure of the face-centred cubic crystal, by virial and by collision rate, obey "
     "the equations of state of Schultz and of Speedy up to the divergence at close packing, and "
     "does it remain that crystal?",
-    "0.4 % of Z, four tenths of what a diameter wrong by 0.1 % does and room for the terms of "
-    "order 1/N that are left out; 0.4 % of the slope of the divergence, twice 1/N; half of the "
-    "bond order, which tells the crystal from a fluid"};
+    percent(margin) + " of Z; " + percent(divergence_margin) + " of the slope of the divergence; " +
+        fmt::format("{:.3f} of the bond order", order_margin),
+    "four tenths of what a diameter wrong by 0.1 % does and room for the terms of order 1/N that "
+    "are left out; twice 1/N; half of what parts the lattice from the nearest other"};
 
 Csv csv_of(std::vector<PeriodicRun> const& points,
            std::vector<std::vector<Measurement>> const& all) {
@@ -25,11 +26,10 @@ Csv csv_of(std::vector<PeriodicRun> const& points,
              "bond_order", "bond_order_error"});
     for (std::size_t k = 0; k < points.size(); ++k) {
         double const eta = points[k].packing_fraction;
-        double const infinite = reference::schultz_crystal(eta);
-        double const finite = reference::periodic_crystal(eta, points[k].count);
+        double const infinite = points[k].expected_of_infinitely_many();
         Estimate const z = mean_of(all[k], by_virial), bonds = mean_of(all[k], order);
         csv.row({cell(eta), cell(free_part(eta)), cell(points[k].count),
-                 cell(z.value + infinite - finite), cell(z.error), cell(infinite),
+                 cell(z.value + infinite - points[k].expected()), cell(z.error), cell(infinite),
                  cell(reference::speedy_crystal(eta)), cell(bonds.value), cell(bonds.error)});
     }
     return csv;
@@ -45,34 +45,29 @@ Csv curves() {
     return csv;
 }
 
-void define_macros(Macros& macros, std::vector<Finding> const& all) {
-    double least_order = 1;
-    for (Finding const& finding : all) {
-        if (finding.quantity == "bond_order")
-            least_order = std::min(least_order, finding.comparison.measured.value);
-    }
-    Finding const& divergence = all.back();
-    macros.define("LeastBondOrder", significant(least_order, 2));
-    macros.define("LatticeBondOrder", significant(lattice_order, 3));
-    macros.define("Divergence", with_error(divergence.comparison.measured));
-    macros.define("DivergencePacking", fmt::format("{:.3f}", divergence.at));
-    macros.define("MarginPercent", significant(100 * margin, 1));
-}
-
 Verdict ask(Experiment& experiment) {
-    Findings findings("packing_fraction", "$\\eta$");
     auto const points = runs(experiment.profile());
-    std::vector<std::vector<Measurement>> all;
-    for (PeriodicRun const& run : points) {
-        all.push_back(experiment.campaign().replicates(
-            run.text(), replicates, [&](std::uint64_t const seed) { return measure(run, seed); }));
-        add_findings(findings, run, all.back());
+    auto const all = experiment.campaign().replicates(tasks_of(points, measure));
+    Ledger ledger({Key{"packing_fraction", "$\\eta$"}});
+    double least_order = 1;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        enter(ledger, points[k], all[k]);
+        least_order = std::min(least_order, mean_of(all[k], order).value);
     }
-    findings.add(divergence(points, all));
+    Comparison const slope = divergence(points, all);
+    double const densest = points.back().packing_fraction;
+    ledger.compare({cell(densest)}, {"divergence", "slope of $Z$ against $1/y$"}, slope);
     experiment.write(csv_of(points, all), "_points");
     experiment.write(curves(), "_theory");
-    return findings.conclude(experiment, "Crystal",
-                             [&](Macros& macros) { define_macros(macros, findings.all()); });
+    Macros macros("Crystal");
+    macros.define("LeastBondOrder", significant(least_order, 2));
+    macros.define("LatticeBondOrder", significant(fcc_order, 3));
+    macros.define("NearestBondOrder", significant(bcc_order, 3));
+    macros.define("BondOrderMargin", significant(order_margin, 2));
+    macros.define("Divergence", with_error(slope.measured));
+    macros.define("DivergencePacking", fmt::format("{:.3f}", densest));
+    macros.define("MarginPercent", significant(100 * margin, 1));
+    return conclude(experiment, ledger, std::move(macros));
 }
 
 } // namespace
@@ -80,5 +75,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

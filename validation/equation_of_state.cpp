@@ -16,41 +16,42 @@ Question const question{
     "Does the pressure of a periodic fluid of hard balls, by virial, by collision rate and by the"
     " contact value of g(r), obey the equations of state of Kolafa, Labik and Malijevsky "
     "(modified) and of Schultz with the 1/N term, and do the three ways to it agree?",
-    "0.2 % of the collisional part Zc (full profile 0.1 %): two thirds (one third) of what a "
-    "diameter wrong by 0.1 % does where it does least; for the contact value, which is "
-    "extrapolated, five times as much"};
+    fmt::format("{} of the collisional part Zc (full profile {}); {} for the contact value (full "
+                "profile {})",
+                percent(margin(Profile::quick)), percent(margin(Profile::full)),
+                percent(contact_margin(Profile::quick)), percent(contact_margin(Profile::full))),
+    "two thirds (one third) of what a diameter wrong by 0.1 % does where it does least; the "
+    "contact "
+    "value is extrapolated"};
 
 constexpr std::size_t kinds = 6; // of comparisons at a point
 
-double collisions(StatePoint const& point) {
-    return point.replicates * point.run.production * static_cast<double>(point.run.count) / 2;
-}
-
 /// Measured compressibility factor of infinitely many balls: the theory's difference between these
 /// and N is taken off.
-Estimate infinite(Finding const& virial) {
-    Estimate estimate = virial.comparison.measured;
-    estimate.value += reference::modified_klm(virial.at) - virial.comparison.reference;
+Estimate infinite(StatePoint const& point, Comparison const& virial) {
+    Estimate estimate = virial.measured;
+    estimate.value += point.expected_of_infinitely_many() - virial.reference;
     return estimate;
 }
 
-std::string table_of(std::vector<StatePoint> const& points, std::vector<Finding> const& all) {
-    std::vector<std::vector<std::string>> cells;
+std::string table_of(std::vector<StatePoint> const& points, Ledger const& ledger) {
+    std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        Finding const* const at = &all[kinds * k];
-        std::vector<Judgement> judgements;
-        for (std::size_t kind = 0; kind < kinds; ++kind) judgements.push_back(at[kind].judgement);
-        std::vector<std::string> row{fmt::format("{:.2f}", at->at), cell(points[k].run.count),
-                                     with_error(infinite(*at)),
-                                     fmt::format("{:.5f}", reference::modified_klm(at->at))};
+        Entry const* const at = &ledger.entries()[kinds * k];
+        std::vector<Verdict> verdicts;
+        for (std::size_t kind = 0; kind < kinds; ++kind) verdicts.push_back(at[kind].verdict);
+        std::vector<std::string> row{
+            fmt::format("{:.2f}", points[k].packing_fraction), cell(points[k].count),
+            with_error(infinite(points[k], at->comparison)),
+            fmt::format("{:.5f}", points[k].expected_of_infinitely_many())};
         for (std::size_t kind = 0; kind < 3; ++kind)
-            row.push_back(fmt::format("${:+.1f}$", judgements[kind].z));
-        row.emplace_back(name_of(together(judgements)));
-        cells.push_back(row);
+            row.push_back(fmt::format("${:+.1f}$", at[kind].z));
+        row.emplace_back(name_of(together(verdicts)));
+        rows.push_back(row);
     }
     return tabular("rrlrrrrl",
                    {"$\\eta$", "$n$", "$Z$", "theory", "virial", "rate", "contact", "verdict"},
-                   cells);
+                   rows);
 }
 
 /// Points and theories for infinitely many balls, for the figure's upper panel.
@@ -64,55 +65,56 @@ Csv curves() {
     return csv;
 }
 
-Csv infinite_fluid(std::vector<Finding> const& all) {
+Csv infinite_fluid(std::vector<StatePoint> const& points, Ledger const& ledger) {
     Csv csv({"packing_fraction", "Z", "Z_error", "Z_theory", "Z_carnahan_starling"});
-    for (Finding const& finding : all)
-        if (finding.quantity == "virial")
-            csv.row({cell(finding.at), cell(infinite(finding).value), cell(infinite(finding).error),
-                     cell(reference::modified_klm(finding.at)),
-                     cell(reference::carnahan_starling(finding.at))});
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        double const eta = points[k].packing_fraction;
+        Estimate const z = infinite(points[k], ledger.entries()[kinds * k].comparison);
+        csv.row({cell(eta), cell(z.value), cell(z.error), cell(reference::modified_klm(eta)),
+                 cell(reference::carnahan_starling(eta))});
+    }
     return csv;
 }
 
-void define_macros(Macros& macros, std::vector<StatePoint> const& points,
-                   std::vector<Finding> const& all, double const blocking_ratio,
-                   Profile const profile) {
-    double count = 0, largest_deviation = 0;
-    for (StatePoint const& point : points) count += collisions(point);
-    for (Finding const& finding : all)
-        if (finding.quantity == "virial" || finding.quantity == "rate")
-            largest_deviation = std::max(
-                largest_deviation,
-                std::abs(finding.comparison.measured.value / finding.comparison.reference - 1));
-    macros.define("BlockingRatio", significant(blocking_ratio, 2));
+Macros macros_of(std::vector<StatePoint> const& points, Ledger const& ledger,
+                 Profile const profile) {
+    double collisions = 0, largest = 0; // the latter in margins, which are parts of Zc
+    for (StatePoint const& point : points)
+        collisions += point.replicates * point.production * static_cast<double>(point.count) / 2;
+    for (Entry const& entry : ledger.entries()) {
+        Comparison const& c = entry.comparison;
+        if (entry.quantity.name == "virial" || entry.quantity.name == "rate")
+            largest = std::max(largest, std::abs(c.measured.value - c.reference) / c.margin);
+    }
+    Macros macros("EquationOfState");
     macros.define("PackingFractions", cell(points.size()));
-    macros.define("Collisions", significant(count, 2));
-    macros.define("LowestPacking", fmt::format("{:.2f}", all.front().at));
-    macros.define("HighestPacking", fmt::format("{:.2f}", all.back().at));
-    macros.define("LargestDeviationPercent", significant(100 * largest_deviation, 2));
+    macros.define("Collisions", significant(collisions, 2));
+    macros.define("LowestPacking", fmt::format("{:.2f}", points.front().packing_fraction));
+    macros.define("HighestPacking", fmt::format("{:.2f}", points.back().packing_fraction));
+    macros.define("LargestDeviationPercent", significant(100 * margin(profile) * largest, 2));
     macros.define("MarginPercent", significant(100 * margin(profile), 1));
     macros.define("ContactMarginPercent", significant(100 * contact_margin(profile), 1));
+    return macros;
 }
 
 Verdict ask(Experiment& experiment) {
     Profile const profile = experiment.profile();
     auto const points = state_points(profile);
-    Findings findings("packing_fraction", "$\\eta$");
-    auto const replicates = experiment.campaign().replicates(tasks_of(
-        points, [](StatePoint const& point, std::uint64_t seed) { return measure(point, seed); }));
-    double squared_ratio = 0;
+    auto const replicates = experiment.campaign().replicates(tasks_of(points, measure));
+    Ledger ledger({Key{"packing_fraction", "$\\eta$"}});
+    double squared_ratio = 0; // of errors by blocking to those over replicates
     for (std::size_t k = 0; k < points.size(); ++k) {
-        add_findings(findings, points[k], replicates[k], profile);
+        enter(ledger, points[k], replicates[k], profile);
         squared_ratio +=
             std::pow(error_by_blocking(replicates[k]) / mean_of(replicates[k], by_virial).error, 2);
     }
-    double const blocking_ratio = std::sqrt(squared_ratio / static_cast<double>(points.size()));
-    Verdict const verdict = findings.conclude(experiment, "EquationOfState", [&](Macros& macros) {
-        define_macros(macros, points, findings.all(), blocking_ratio, profile);
-    });
+    Macros macros = macros_of(points, ledger, profile);
+    macros.define("BlockingRatio",
+                  significant(std::sqrt(squared_ratio / static_cast<double>(points.size())), 2));
+    Verdict const verdict = conclude(experiment, ledger, std::move(macros));
     experiment.write(curves(), "_theory");
-    experiment.write(infinite_fluid(findings.all()), "_infinite");
-    experiment.write_table(table_of(points, findings.all()));
+    experiment.write(infinite_fluid(points, ledger), "_infinite");
+    experiment.write_table(table_of(points, ledger));
     return verdict;
 }
 

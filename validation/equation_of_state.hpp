@@ -2,7 +2,7 @@
 // Equation of state of the fluid: state points, one measurement, and what it should give.
 
 #include "observables/radial_distribution.hpp"
-#include "validation/harness/findings.hpp"
+#include "validation/harness/ledger.hpp"
 #include "validation/periodic_run.hpp"
 
 #include <vector>
@@ -10,12 +10,10 @@
 namespace clack::validation::equation_of_state {
 
 /// Where on the equation of state, and how long.
-struct StatePoint {
-    PeriodicRun run;
+struct StatePoint : PeriodicRun {
     int looks; // at the pairs that nearly touch, in one replicate
-    int replicates;
 
-    std::string text() const { return fmt::format("{} looks={}", run.text(), looks); }
+    std::string text() const { return fmt::format("{} looks={}", PeriodicRun::text(), looks); }
 };
 
 /// The fluid from dilute to just below freezing (packing fraction 0.492). Few balls where that is
@@ -23,17 +21,17 @@ struct StatePoint {
 inline std::vector<StatePoint> state_points(Profile const profile) {
     if (profile == Profile::quick) {
         // So long that the margin is five standard errors: too few leave a point undecided.
-        return {{{0.01, 108, 30, 7'500}, 12'000, 16}, {{0.05, 500, 30, 1'600}, 1000, 16},
-                {{0.10, 108, 30, 14'000}, 2000, 16},  {{0.15, 500, 30, 1'600}, 1000, 16},
-                {{0.20, 108, 30, 10'000}, 2000, 16},  {{0.30, 500, 50, 2'000}, 300, 16},
-                {{0.40, 500, 100, 2'500}, 300, 16},   {{0.45, 864, 200, 1'800}, 300, 16},
-                {{0.49, 864, 300, 2'000}, 300, 16}};
+        return {{{{0.01, 108}, 30, 7'500}, 12'000}, {{{0.05, 500}, 30, 1'600}, 1000},
+                {{{0.10, 108}, 30, 14'000}, 2000},  {{{0.15, 500}, 30, 1'600}, 1000},
+                {{{0.20, 108}, 30, 10'000}, 2000},  {{{0.30, 500}, 50, 2'000}, 300},
+                {{{0.40, 500}, 100, 2'500}, 300},   {{{0.45, 864}, 200, 1'800}, 300},
+                {{{0.49, 864}, 300, 2'000}, 300}};
     }
     std::vector<StatePoint> points;
     for (double const eta :
          {0.01, 0.05, 0.10, 0.15, 0.20, 0.25, 0.30, 0.35, 0.40, 0.45, 0.47, 0.49}) {
         bool const few = eta == 0.01 || eta == 0.10 || eta == 0.20;
-        points.push_back({{eta, few ? 108 : 864, 500, few ? 80'000.0 : 20'000.0}, 20'000, 20});
+        points.push_back({{{eta, few ? 108 : 864}, 500, few ? 80'000.0 : 20'000.0, 20}, 20'000});
     }
     return points;
 }
@@ -69,16 +67,16 @@ constexpr ContactFit contact_fit(double const packing_fraction) {
 /// extrapolated: Zc = 4 eta g(1), exactly, for N balls too.
 inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
                            EngineMaker const& make = make_true_engine) {
-    auto const engine = make(point.run.scene(seed));
-    double const eta = point.run.packing_fraction;
+    auto const engine = make(point.scene(seed));
+    double const eta = point.packing_fraction;
     constexpr int bins = 40;
     ContactFit const fit = contact_fit(eta);
     RadialDistribution g(engine->system(), fit.reach, bins);
     auto const twice =
-        run_periodic(point.run, *engine, {point.looks, [&](Snapshot const& shot) { g.add(shot); }});
+        run_periodic(point, *engine, {point.looks, [&](Snapshot const& shot) { g.add(shot); }});
     double const contact = extrapolated(g.distances(), g.values(), 1, fit.degree);
     return {twice.by_virial, twice.by_rate,
-            1 - 1 / static_cast<double>(point.run.count) + 4 * eta * contact, twice.virial_error};
+            1 - 1 / static_cast<double>(point.count) + 4 * eta * contact, twice.virial_error};
 }
 
 /// Standard error of the mean over all replicates, from what blocking says of each.
@@ -92,39 +90,37 @@ inline double error_by_blocking(std::vector<Measurement> const& replicates) {
 /// One of the values of all replicates beside the theory's.
 inline Comparison compare(StatePoint const& point, std::vector<Measurement> const& replicates,
                           Value const value, Profile const profile) {
-    double const rho = point.run.number_density();
     double const relative = value == by_contact ? contact_margin(profile) : margin(profile);
     return {.measured = mean_of(replicates, value),
-            .reference = reference::periodic_compressibility(rho, point.run.count),
-            .reference_error = theory_error * reference::modified_klm(point.run.packing_fraction),
-            .margin = relative * reference::collisional_compressibility(rho, point.run.count)};
+            .reference = point.expected(),
+            .reference_error = theory_error * point.expected_of_infinitely_many(),
+            .margin = relative * point.collisional()};
 }
 
 /// One route beside another of the same runs, which no theory enters.
 inline Comparison difference(std::vector<Measurement> const& replicates, Value const value,
                              double const margin) {
-    std::vector<double> differences;
-    for (Measurement const& replicate : replicates)
-        differences.push_back(replicate[value] - replicate[by_virial]);
-    return {.measured = mean_of(differences), .margin = margin};
+    auto const beyond_virial = [=](Measurement const& m) { return m[value] - m[by_virial]; };
+    return {.measured = mean_of(replicates, beyond_virial), .margin = margin};
 }
 
 /// All that is judged at a point.
-inline void add_findings(Findings& findings, StatePoint const& point,
-                         std::vector<Measurement> const& replicates, Profile const profile) {
-    double const eta = point.run.packing_fraction;
+inline void enter(Ledger& ledger, StatePoint const& point,
+                  std::vector<Measurement> const& replicates, Profile const profile) {
+    double const eta = point.packing_fraction;
+    std::vector<std::string> const state{cell(eta)};
     Comparison const virial = compare(point, replicates, by_virial, profile);
     Comparison const contact = compare(point, replicates, by_contact, profile);
     Comparison schultz = virial;
     schultz.reference += reference::schultz_fluid(eta) - reference::modified_klm(eta);
-    findings.add({"virial", "$Z$, virial", eta, virial});
-    findings.add({"rate", "$Z$, rate", eta, compare(point, replicates, by_rate, profile)});
-    findings.add({"contact", "$Z$, contact", eta, contact});
-    findings.add({"virial_schultz", "$Z$, virial", eta, schultz});
-    findings.add({"rate_minus_virial", "$Z$, rate $-$ virial", eta,
-                  difference(replicates, by_rate, virial.margin)});
-    findings.add({"contact_minus_virial", "$Z$, contact $-$ virial", eta,
-                  difference(replicates, by_contact, contact.margin)});
+    ledger.compare(state, {"virial", "$Z$, virial"}, virial);
+    ledger.compare(state, {"rate", "$Z$, rate"}, compare(point, replicates, by_rate, profile));
+    ledger.compare(state, {"contact", "$Z$, contact"}, contact);
+    ledger.compare(state, {"virial_schultz", "$Z$, virial, Schultz"}, schultz);
+    ledger.compare(state, {"rate_minus_virial", "$Z$, rate $-$ virial"},
+                   difference(replicates, by_rate, virial.margin));
+    ledger.compare(state, {"contact_minus_virial", "$Z$, contact $-$ virial"},
+                   difference(replicates, by_contact, contact.margin));
 }
 
 } // namespace clack::validation::equation_of_state

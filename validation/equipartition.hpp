@@ -1,8 +1,8 @@
 #pragma once
 // How balls between walls share their energy among the directions.
 
-#include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
+#include "validation/harness/ledger.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +40,16 @@ inline Measurement measure(StatePoint const& point, std::uint64_t seed,
     }
     energy /= energy.sum();
     return {energy[0], energy[1], energy[2]};
+}
+
+constexpr double margin = 0.01; // of a third
+
+inline void enter(Ledger& ledger, StatePoint const& point,
+                  std::vector<Measurement> const& replicates) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        ledger.compare(
+            {cell(point.packing_fraction), std::string{"xyz"[axis]}}, {"share", "$E_x/E$"},
+            {.measured = mean_of(replicates, axis), .reference = 1.0 / 3, .margin = margin / 3});
 }
 
 } // namespace clack::validation::equipartition

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 
 namespace clack::validation {
@@ -20,10 +19,12 @@ Question const question{
     "failure_atlas",
     "Is the fast method right to rounding in every scene that makes methods fail, and does each "
     "rule of the textbooks fail in one of them?",
-    fmt::format("{} times what rounding the start does to the scene's own answer, in quad "
-                "precision or closed form, and a rounding for each collision; the same for "
-                "overlaps and the energy, where physics has no answer",
-                allowance)};
+    fmt::format(
+        "{} times what rounding the start does to the scene's own answer and a rounding for "
+        "each collision",
+        allowance),
+    "the answer is of quad precision or closed form; overlaps and the energy are held to the same, "
+    "where physics has no answer"};
 
 char const* name_of(Kind const kind) {
     constexpr std::array names{"ok",      "loses digits", "wrong order",

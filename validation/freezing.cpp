@@ -2,8 +2,6 @@
 
 #include "validation/freezing.hpp"
 
-#include <iostream>
-
 namespace clack::validation {
 
 namespace {
@@ -15,31 +13,21 @@ Question const question{
     "Do the measured pressures of fluid and crystal follow their equations of state about "
     "coexistence, do their chemical potentials meet at its known pressure, and does a fluid "
     "beyond it not pass for the crystal?",
-    "0.4 % of Z, about half of what a diameter wrong by 0.1 % does; 1 % of the pressure of "
-    "coexistence, some twice what that much of Z in the fluid shifts it by"};
+    percent(margin) + " of Z; " + percent(meeting_margin) + " of the pressure of coexistence",
+    "about half of what a diameter wrong by 0.1 % does; some twice what that much of Z in the "
+    "fluid "
+    "shifts the pressure by"};
 
 using All = std::vector<std::vector<Measurement>>;
-
-All measured(Experiment& experiment, std::vector<PeriodicRun> const& runs, Findings& findings) {
-    All all;
-    for (PeriodicRun const& run : runs) {
-        all.push_back(experiment.campaign().replicates(
-            run.text(), replicates, [&](std::uint64_t const seed) { return measure(run, seed); }));
-        add_branch(findings, run, all.back());
-    }
-    return all;
-}
 
 /// Pressures of infinitely many balls: what theory expects less of N is added.
 void add_points(Csv& csv, std::vector<PeriodicRun> const& runs, All const& all) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        bool const solid = runs[k].arrangement == Arrangement::fcc;
-        double const eta = runs[k].packing_fraction, rho = runs[k].number_density();
-        double const infinite =
-            solid ? reference::schultz_crystal(eta) : reference::modified_klm(eta);
+        double const rho = runs[k].number_density();
+        double const infinite = runs[k].expected_of_infinitely_many();
         Estimate const z = mean_of(all[k], by_virial);
-        csv.row({solid ? "crystal" : "fluid", cell(rho),
-                 cell(rho * (z.value + infinite - theory_of(runs[k]))), cell(rho * z.error),
+        csv.row({runs[k].is_crystal() ? "crystal" : "fluid", cell(rho),
+                 cell(rho * (z.value + infinite - runs[k].expected())), cell(rho * z.error),
                  cell(rho * infinite), cell(mean_of(all[k], order).value)});
     }
 }
@@ -56,44 +44,38 @@ Csv curves() {
 }
 
 Verdict ask(Experiment& experiment) {
-    Findings findings("number_density_per_diameter3", "$\\rho$ or $p$");
     Branches const both = branches(experiment.profile());
-    All const fluid = measured(experiment, both.fluid, findings);
-    All const solid = measured(experiment, both.crystal, findings);
-    findings.add(meeting(both, fluid, solid));
-    auto const forced = experiment.campaign().replicates(
-        forced_fluid().text(), replicates,
-        [&](std::uint64_t const seed) { return measure(forced_fluid(), seed); });
-    Comparison const beside = pretence(forced);
-    Judgement const judged = judge({beside}).front();
-    Estimate const bonds = mean_of(forced, order);
+    std::vector<PeriodicRun> runs = both.fluid;
+    runs.insert(runs.end(), both.crystal.begin(), both.crystal.end());
+    runs.push_back(forced_fluid());
+    All const all = experiment.campaign().replicates(tasks_of(runs, measure));
+    auto const boundary = all.begin() + static_cast<std::ptrdiff_t>(both.fluid.size());
+    All const fluid(all.begin(), boundary), solid(boundary, all.end() - 1);
+
+    Ledger ledger({Key{"number_density_per_diameter3", "$\\rho$"}});
+    for (std::size_t k = 0; k + 1 < runs.size(); ++k) enter(ledger, runs[k], all[k]);
+    Comparison const met = meeting(both, fluid, solid), forced = pretence(all.back());
+    double const rho = forced_fluid().number_density();
+    ledger.compare({"both"}, {"coexistence", "$p$ of coexistence"}, met);
+    ledger.compare({fmt::format("{:.4g}", rho)}, {"forced_fluid", "$Z$, forced fluid"}, forced);
 
     Csv points(
         {"branch", "number_density_per_diameter3", "P", "P_error", "P_theory", "bond_order"});
     add_points(points, both.fluid, fluid);
     add_points(points, both.crystal, solid);
-    double const rho = forced_fluid().number_density();
-    points.row({"forced", cell(rho), cell(rho * beside.measured.value),
-                cell(rho * beside.measured.error), cell(rho * beside.reference),
+    Estimate const bonds = mean_of(all.back(), order);
+    points.row({"forced", cell(rho), cell(rho * forced.measured.value),
+                cell(rho * forced.measured.error), cell(rho * forced.reference),
                 cell(bonds.value)});
     experiment.write(points, "_points");
     experiment.write(curves(), "_theory");
-
-    bool const shows_itself = judged.verdict == Verdict::differs;
-    std::cout << fmt::format("fluid at packing fraction {}: Z = {}, the crystal's {:.3f}, bond "
-                             "order {}: {}\n",
-                             forced_fluid().packing_fraction, with_error(beside.measured),
-                             beside.reference, with_error(bonds),
-                             shows_itself ? "is not the crystal" : "passes for the crystal");
-    Estimate const pressure = findings.all().back().comparison.measured;
-    findings.require(shows_itself ? Verdict::agrees : Verdict::differs);
-    return findings.conclude(experiment, "Freezing", [&](Macros& macros) {
-        macros.define("Pressure", with_error(pressure));
-        macros.define("PressureTheory", fmt::format("{:.4f}", reference::coexistence_pressure));
-        macros.define("ForcedZ", with_error(beside.measured));
-        macros.define("ForcedCrystalZ", fmt::format("{:.3f}", beside.reference));
-        macros.define("ForcedBondOrder", with_error(bonds));
-    });
+    Macros macros("Freezing");
+    macros.define("Pressure", with_error(met.measured));
+    macros.define("PressureTheory", fmt::format("{:.4f}", reference::coexistence_pressure));
+    macros.define("ForcedZ", with_error(forced.measured));
+    macros.define("ForcedCrystalZ", fmt::format("{:.3f}", forced.reference));
+    macros.define("ForcedBondOrder", with_error(bonds));
+    return conclude(experiment, ledger, std::move(macros));
 }
 
 } // namespace
@@ -101,5 +83,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

@@ -2,19 +2,15 @@
 // Fluid and crystal about their coexistence: state points, one measurement, and where they meet.
 
 #include "observables/bond_order.hpp"
-#include "observables/radial_distribution.hpp"
 #include "validation/crystal.hpp"
-#include "validation/harness/findings.hpp"
+#include "validation/harness/ledger.hpp"
+#include "validation/harness/straight_line.hpp"
 #include "validation/periodic_run.hpp"
-
-#include <Eigen/QR>
 
 #include <cmath>
 #include <vector>
 
 namespace clack::validation::freezing {
-
-constexpr int replicates = 12;
 
 /// Both branches, within and a little beyond the densities at which they are stable (0.939 for the
 /// fluid, 1.038 for the crystal), where neither turns into the other in so short a run.
@@ -25,7 +21,7 @@ struct Branches {
 inline Branches branches(Profile const profile) {
     double const production = profile == Profile::quick ? 900 : 20'000;
     auto const run = [&](double const rho, Arrangement const start) {
-        return PeriodicRun{rho * std::numbers::pi / 6, 500, 200, production, start};
+        return PeriodicRun{{rho * std::numbers::pi / 6, 500, start}, 200, production, 12};
     };
     Branches both;
     for (double const rho : {0.86, 0.89, 0.92, 0.95})
@@ -36,25 +32,18 @@ inline Branches branches(Profile const profile) {
 }
 
 /// A start at random where the crystal is the stable phase.
-inline PeriodicRun forced_fluid() { return {0.56, 500, 100, 100, Arrangement::random}; }
+inline PeriodicRun forced_fluid() { return {{0.56, 500}, 100, 100, 12}; }
 
 /// What one replicate measures: the compressibility factor of N balls and, of the last instant, the
 /// bond order.
-enum Value : std::size_t { by_virial, by_rate, order };
+enum Value : std::size_t { by_virial, order };
 
 inline Measurement measure(PeriodicRun const& run, std::uint64_t const seed,
                            EngineMaker const& make = make_true_engine) {
     auto const engine = make(run.scene(seed));
     auto const twice = run_periodic(run, *engine);
-    return {twice.by_virial, twice.by_rate,
+    return {twice.by_virial,
             bond_order(engine->system(), engine->snapshot(), crystal::bond_reach(run))};
-}
-
-/// Theory's Z of the run's N balls.
-inline double theory_of(PeriodicRun const& run) {
-    return run.arrangement == Arrangement::fcc
-               ? reference::periodic_crystal(run.packing_fraction, run.count)
-               : reference::periodic_compressibility(run.number_density(), run.count);
 }
 
 /// The pressure of infinitely many balls along a branch: theory's, times a straight line in the
@@ -63,22 +52,21 @@ class Branch {
 public:
     /// `compressibilities`: of one replicate of each run.
     Branch(std::vector<PeriodicRun> const& runs, std::vector<double> const& compressibilities)
-        : crystal_(runs.front().arrangement == Arrangement::fcc) {
+        : crystal_(runs.front().is_crystal()) {
         std::vector<double> densities, ratios;
         for (std::size_t k = 0; k < runs.size(); ++k) {
             densities.push_back(runs[k].number_density());
-            ratios.push_back(compressibilities[k] / theory_of(runs[k]));
+            ratios.push_back(compressibilities[k] / runs[k].expected());
         }
         anchor_ = crystal_ ? reference::crystal_free_energy_density : densities.front();
-        at_anchor_ = extrapolated(densities, ratios, anchor_, 1);
-        slope_ = extrapolated(densities, ratios, anchor_ + 1, 1) - at_anchor_;
+        over_theory_ = line_through(densities, ratios);
     }
 
     double compressibility(double const rho) const {
         double const eta = rho * std::numbers::pi / 6;
         double const theory =
             crystal_ ? reference::schultz_crystal(eta) : reference::modified_klm(eta);
-        return theory * (at_anchor_ + slope_ * (rho - anchor_));
+        return theory * (over_theory_.at_0 + over_theory_.slope * rho);
     }
 
     /// Density at a pressure, by bisection between the branch's ends.
@@ -124,7 +112,8 @@ private:
     }
 
     bool crystal_;
-    double anchor_ = 0, at_anchor_ = 1, slope_ = 0;
+    double anchor_ = 0;
+    StraightLine over_theory_;
 };
 
 /// Pressure at which the chemical potentials of both branches meet, by bisection.
@@ -145,22 +134,26 @@ constexpr double margin = 4e-3, meeting_margin = 1e-2;
 /// Relative error of the theories.
 constexpr double theory_error = 6e-4;
 
-inline void add_branch(Findings& findings, PeriodicRun const& run,
-                       std::vector<Measurement> const& of_run) {
-    bool const solid = run.arrangement == Arrangement::fcc;
-    double const expected = theory_of(run);
-    findings.add({solid ? "crystal" : "fluid",
-                  solid ? "$Z$, crystal" : "$Z$, fluid",
-                  run.number_density(),
-                  {.measured = mean_of(of_run, by_virial),
-                   .reference = expected,
-                   .reference_error = theory_error * expected,
-                   .margin = margin * expected}});
+/// Z beside what theory expects.
+inline Comparison beside(double const expected, std::vector<Measurement> const& of_run,
+                         Asks const asks) {
+    return {.measured = mean_of(of_run, by_virial),
+            .reference = expected,
+            .reference_error = theory_error * expected,
+            .margin = margin * expected,
+            .asks = asks};
+}
+
+inline void enter(Ledger& ledger, PeriodicRun const& run, std::vector<Measurement> const& of_run) {
+    Quantity const quantity =
+        run.is_crystal() ? Quantity{"crystal", "$Z$, crystal"} : Quantity{"fluid", "$Z$, fluid"};
+    ledger.compare({fmt::format("{:g}", run.number_density())}, quantity,
+                   beside(run.expected(), of_run, Asks::whether_near));
 }
 
 /// Where the branches meet, from each replicate of all runs.
-inline Finding meeting(Branches const& both, std::vector<std::vector<Measurement>> const& fluid,
-                       std::vector<std::vector<Measurement>> const& solid) {
+inline Comparison meeting(Branches const& both, std::vector<std::vector<Measurement>> const& fluid,
+                          std::vector<std::vector<Measurement>> const& solid) {
     auto const replicate_of = [](std::vector<std::vector<Measurement>> const& all, std::size_t k) {
         std::vector<double> values;
         for (auto const& of_run : all) values.push_back(of_run[k][by_virial]);
@@ -170,25 +163,18 @@ inline Finding meeting(Branches const& both, std::vector<std::vector<Measurement
     for (std::size_t k = 0; k < fluid.front().size(); ++k)
         pressures.push_back(meeting_pressure(Branch(both.fluid, replicate_of(fluid, k)),
                                              Branch(both.crystal, replicate_of(solid, k))));
-    return {"coexistence",
-            "$p$ of coexistence",
-            reference::coexistence_pressure,
-            {.measured = mean_of(pressures),
-             .reference = reference::coexistence_pressure,
-             .reference_error = reference::coexistence_pressure_error,
-             .margin = meeting_margin * reference::coexistence_pressure}};
+    return {.measured = mean_of(pressures),
+            .reference = reference::coexistence_pressure,
+            .reference_error = reference::coexistence_pressure_error,
+            .margin = meeting_margin * reference::coexistence_pressure};
 }
 
 /// A fluid forced to where the crystal is stable beside that crystal: it must differ, or else what
 /// starts as one phase would pass for the other.
 inline Comparison pretence(std::vector<Measurement> const& forced) {
-    double const expected =
-        reference::periodic_crystal(forced_fluid().packing_fraction, forced_fluid().count);
-    return {.name = "fluid at 0.56",
-            .measured = mean_of(forced, by_virial),
-            .reference = expected,
-            .reference_error = theory_error * expected,
-            .margin = margin * expected};
+    PeriodicRun const run = forced_fluid();
+    return beside(reference::periodic_crystal(run.packing_fraction, run.count), forced,
+                  Asks::whether_apart);
 }
 
 } // namespace clack::validation::freezing

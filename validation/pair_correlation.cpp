@@ -8,32 +8,37 @@ namespace {
 
 using namespace pair_correlation;
 
+constexpr Margins quick = margins(Profile::quick), full = margins(Profile::full);
+
 Question const question{
     "pair_correlation",
     "Does g(r) follow Percus and Yevick where it is right, in a dilute fluid, and Verlet and Weis"
     " in dense ones; is its contact value that of the pressure; and is S(k) for long waves the "
     "compressibility?",
-    "1 % of the contact value for itself and for the dilute g(r), 3 % for the dense one, what its"
-    " authors leave open; 6 % for long waves, several standard errors"};
+    fmt::format(
+        "{} of the contact value for itself; {} for the dilute g(r); {} for the dense one; {} "
+        "for long waves (full profile {} and {} and {} and {})",
+        percent(quick.contact), percent(quick.dilute), percent(quick.mended), percent(quick.waves),
+        percent(full.contact), percent(full.dilute), percent(full.mended), percent(full.waves)),
+    "several standard errors where the profile or the waves are extrapolated; what the authors "
+    "leave open for the dense g(r)"};
 
-struct Row {
-    StatePoint point;
-    std::vector<Measurement> replicates;
-};
+using All = std::vector<std::vector<Measurement>>;
 
 /// g bin by bin beside both theories.
-Csv distributions(std::vector<Row> const& rows) {
+Csv distributions(std::vector<StatePoint> const& points, All const& all) {
     Csv csv(
         {"packing_fraction", "r_diameters", "g", "g_error", "g_verlet_weis", "g_percus_yevick"});
-    for (auto const& [point, replicates] : rows) {
-        double const eta = point.run.packing_fraction, end = reach(point.run);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        StatePoint const& point = points[p];
+        double const eta = point.packing_fraction, end = reach(point);
         auto const distances =
-            RadialDistribution(point.run.scene(0).system, end, bins(point.run)).distances();
+            RadialDistribution(point.scene(0).system, end, bins(point)).distances();
         reference::PercusYevick const closure(eta, end);
-        reference::VerletWeis const mended(eta, contact_theory(point.run), end);
+        reference::VerletWeis const mended(eta, contact_theory(point), end);
         std::size_t value = shells + wave_numbers(point).size();
         for (double const r : distances) {
-            Estimate const g = mean_of(replicates, value++);
+            Estimate const g = mean_of(all[p], value++);
             csv.row({cell(eta), cell(r), cell(g.value), cell(g.error),
                      cell(mended.radial_distribution(r)), cell(closure.radial_distribution(r))});
         }
@@ -42,15 +47,16 @@ Csv distributions(std::vector<Row> const& rows) {
 }
 
 /// S(k) shell by shell beside the closure, and at k = 0 the compressibility.
-Csv waves_of(std::vector<Row> const& rows) {
+Csv waves_of(std::vector<StatePoint> const& points, All const& all) {
     Csv csv({"packing_fraction", "k_per_diameter", "S", "S_error", "S_percus_yevick", "S_of_0"});
-    for (auto const& [point, replicates] : rows) {
-        double const eta = point.run.packing_fraction;
-        double const limit = 1 / reference::modified_klm_pressure(point.run.number_density()).slope;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        StatePoint const& point = points[p];
+        double const eta = point.packing_fraction;
+        double const limit = 1 / reference::modified_klm_pressure(point.number_density()).slope;
         reference::PercusYevick const closure(eta, 1);
         std::size_t value = shells;
         for (double const k : wave_numbers(point)) {
-            Estimate const s = mean_of(replicates, value++);
+            Estimate const s = mean_of(all[p], value++);
             csv.row({cell(eta), cell(k), cell(s.value), cell(s.error),
                      cell(closure.structure_factor(k)), cell(limit)});
         }
@@ -59,22 +65,18 @@ Csv waves_of(std::vector<Row> const& rows) {
 }
 
 Verdict ask(Experiment& experiment) {
-    Findings findings("packing_fraction", "$\\eta$");
-    std::vector<Row> rows;
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        rows.push_back({point, experiment.campaign().replicates(point.text(), point.replicates,
-                                                                [&](std::uint64_t const seed) {
-                                                                    return measure(point, seed);
-                                                                })});
-        add_findings(findings, point, rows.back().replicates);
-    }
-    experiment.write(distributions(rows), "_g");
-    experiment.write(waves_of(rows), "_s");
-    return findings.conclude(experiment, "PairCorrelation", [](Macros& macros) {
-        macros.define("ContactMarginPercent", significant(100 * contact_margin, 1));
-        macros.define("DenseMarginPercent", significant(100 * mended_margin, 1));
-        macros.define("WaveMarginPercent", significant(100 * wave_margin, 1));
-    });
+    auto const points = state_points(experiment.profile());
+    auto const all = experiment.campaign().replicates(tasks_of(points, measure));
+    Margins const allowed = margins(experiment.profile());
+    Ledger ledger({Key{"packing_fraction", "$\\eta$"}});
+    for (std::size_t k = 0; k < points.size(); ++k) enter(ledger, points[k], all[k], allowed);
+    experiment.write(distributions(points, all), "_g");
+    experiment.write(waves_of(points, all), "_s");
+    Macros macros("PairCorrelation");
+    macros.define("ContactMarginPercent", significant(100 * allowed.contact, 1));
+    macros.define("DenseMarginPercent", significant(100 * allowed.mended, 1));
+    macros.define("WaveMarginPercent", significant(100 * allowed.waves, 1));
+    return conclude(experiment, ledger, std::move(macros));
 }
 
 } // namespace
@@ -82,5 +84,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

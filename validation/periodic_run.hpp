@@ -1,55 +1,24 @@
 #pragma once
 // A run in a periodic cube and what its collisions say about the pressure, for the experiments on
-// the fluid's and the crystal's equation of state.
+// the fluid and the crystal in equilibrium.
 
 #include "observables/pressure.hpp"
-#include "reference/crystal.hpp"
-#include "reference/equation_of_state.hpp"
-#include "reference/finite_size.hpp"
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/engine_maker.hpp"
+#include "validation/periodic_fluid.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace clack::validation {
 
-/// Balls that start at random (a fluid) or on an fcc lattice (a crystal).
-struct PeriodicRun {
-    double packing_fraction;
-    std::int64_t count;
+/// So many runs of the same length.
+struct PeriodicRun : PeriodicFluid {
     double equilibration; // collisions per ball before anything is counted
     double production;    // collisions per ball that are counted
-    Arrangement arrangement = Arrangement::random;
+    int replicates = 16;
 
-    double number_density() const { return packing_fraction * 6 / std::numbers::pi; }
     std::string text() const {
-        return fmt::format("packing_fraction={} count={} equilibration={} production={} {}",
-                           packing_fraction, count, equilibration, production,
-                           arrangement == Arrangement::fcc ? "fcc" : "random");
-    }
-    Scene scene(std::uint64_t const seed) const {
-        Scene scene;
-        scene.system.boundary = Boundary::periodic;
-        scene.system.count = count;
-        scene.system.side = std::cbrt(static_cast<double>(count) / number_density());
-        scene.arrangement = arrangement;
-        scene.seed = seed;
-        return scene;
-    }
-    /// Collisions per ball and unit time, about: what turns collisions per ball into times.
-    double expected_rate() const {
-        double const z = arrangement == Arrangement::fcc
-                             ? reference::schultz_crystal(packing_fraction)
-                             : reference::carnahan_starling(packing_fraction);
-        return 6 * std::numbers::inv_sqrtpi * (z - 1);
+        return fmt::format("{} equilibration={} production={} {}", PeriodicFluid::text(),
+                           equilibration, production, is_crystal() ? "fcc" : "random");
     }
 };
 
@@ -71,9 +40,9 @@ inline CompressibilityTwice run_periodic(PeriodicRun const& run, Engine& engine,
                                          Looks const& looks = {}) {
     System const& system = engine.system();
     auto const count = static_cast<double>(run.count);
-    engine.advance({.time = run.equilibration / run.expected_rate()});
+    engine.advance({.time = run.equilibration / run.collision_rate()});
     engine.start_clock();
-    double const time = run.production / run.expected_rate();
+    double const time = run.production / run.collision_rate();
     constexpr int enough_for_blocks = 256;
     int const spans = looks.count > 0 ? looks.count : enough_for_blocks;
     double const energy = engine.kinetic_energy();

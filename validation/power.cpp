@@ -18,7 +18,7 @@ Question const question{
     "power",
     "Is every mutant of the engine, one rule of it exchanged, caught by an experiment at the size "
     "of its quick profile?",
-    "none, each mutant must differ: by the experiment's own margin and risk of a false alarm"};
+    "none", "each mutant must differ, by the experiment's own margin and risk of a false alarm"};
 
 struct Row {
     Trial trial;

@@ -59,29 +59,33 @@ inline Trial conserving(Fault const fault, Boundary const boundary, double const
     return {name_of(fault), "conservation", point.text(), 1, measure, judge};
 }
 
-/// A point of `equation_of_state`, judged as one of all its points.
+/// What a ledger of one state point says, judged as one of so many points of its experiment.
+inline Outcome outcome(Ledger& ledger, std::size_t const points) {
+    ledger.judge({.false_alarm = Risks{}.false_alarm / static_cast<double>(points)});
+    auto const& all = ledger.entries();
+    auto const worst = std::max_element(all.begin(), all.end(), [](Entry const& a, Entry const& b) {
+        return a.against < b.against;
+    });
+    return {ledger.verdict(), worst->z};
+}
+
+/// A point of `equation_of_state`.
 inline Trial under_pressure(std::string const& mutant, double const packing_fraction,
                             EngineMaker const& make,
                             std::function<double(double z, double count)> const& misread) {
     auto const points = equation_of_state::state_points(Profile::quick);
     auto const point = *std::find_if(points.begin(), points.end(), [&](auto const& p) {
-        return p.run.packing_fraction == packing_fraction;
+        return p.packing_fraction == packing_fraction;
     });
     auto const measure = [=](std::uint64_t const seed) {
         Measurement values = equation_of_state::measure(point, seed, make);
-        for (double& z : values) z = misread(z, static_cast<double>(point.run.count));
+        for (double& z : values) z = misread(z, static_cast<double>(point.count));
         return values;
     };
-    Risks const risks{.false_alarm = Risks{}.false_alarm / static_cast<double>(points.size())};
-    auto const judge = [=](std::vector<Measurement> const& replicates) -> Outcome {
-        auto const judgements =
-            validation::judge({equation_of_state::compare(
-                                   point, replicates, equation_of_state::by_virial, Profile::quick),
-                               equation_of_state::compare(
-                                   point, replicates, equation_of_state::by_rate, Profile::quick)},
-                              risks);
-        double const virial = judgements[0].z, rate = judgements[1].z;
-        return {together(judgements), std::abs(virial) > std::abs(rate) ? virial : rate};
+    auto const judge = [=](std::vector<Measurement> const& replicates) {
+        Ledger ledger({Key{"packing_fraction", ""}});
+        equation_of_state::enter(ledger, point, replicates, Profile::quick);
+        return outcome(ledger, points.size());
     };
     return {mutant, "equation_of_state", point.text(), point.replicates, measure, judge};
 }
@@ -91,7 +95,7 @@ inline Trial under_pressure(Fault const fault, double const packing_fraction) {
                           [](double const z, double) { return z; });
 }
 
-/// A point of `velocity_distribution`, judged as one of all its points.
+/// A point of `velocity_distribution`.
 inline Trial by_velocities(Fault const fault, std::int64_t const count) {
     auto const points = velocity_distribution::state_points(Profile::quick);
     auto const point = *std::find_if(points.begin(), points.end(),
@@ -99,11 +103,10 @@ inline Trial by_velocities(Fault const fault, std::int64_t const count) {
     auto const measure = [=](std::uint64_t const seed) {
         return velocity_distribution::measure(point, seed, with(fault));
     };
-    Risks const risks{.false_alarm = Risks{}.false_alarm / static_cast<double>(points.size())};
-    auto const judge = [=](std::vector<Measurement> const& replicates) -> Outcome {
-        auto const findings = velocity_distribution::find(point, replicates);
-        return {velocity_distribution::judge_points({findings}, risks).front(),
-                validation::judge({findings.fourth_moment}).front().z};
+    auto const judge = [=](std::vector<Measurement> const& replicates) {
+        Ledger ledger({Key{"count", ""}});
+        velocity_distribution::enter(ledger, point, replicates);
+        return outcome(ledger, points.size());
     };
     return {name_of(fault), "velocity_distribution", point.text(), point.replicates, measure,
             judge};

@@ -21,9 +21,8 @@ Question const question{
     "pressure_vs_lammps",
     "Do soft elastic balls, as LAMMPS moves them step by step, have the pressure of the engine's "
     "hard balls and of theory once they are widened to a Barker-Henderson diameter of 1?",
-    "1.5 % of the collisional part Zc (full profile 0.5 %): half (a third) of what softness does "
-    "to "
-    "balls that are not widened, where it does least"};
+    "1.5 % of the collisional part Zc (full profile 0.5 %)",
+    "half (a third) of what softness does to balls that are not widened, where it does least"};
 
 /// A state point with all that was found out about it.
 struct Row {

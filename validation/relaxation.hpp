@@ -149,28 +149,26 @@ inline Measurement walk(StatePoint const& point, std::uint64_t const seed) {
         [&] { return kac.velocities(); });
 }
 
-inline Estimate at(std::vector<Measurement> const& replicates, std::size_t const value) {
-    std::vector<double> values;
-    for (Measurement const& measurement : replicates) values.push_back(measurement.at(value));
-    return mean_of(values);
-}
+/// Margins, as parts of what H has to lose from the first look on and of the collisions: a
+/// relaxation a tenth too fast or too slow would not pass.
+constexpr double excess_margin = 0.04, collisions_margin = 0.05;
 
-/// Enters what the replicates of a start say beside the walks. The margins: 4 % of what H has to
-/// lose, and 5 % of the collisions. A relaxation a tenth too fast or too slow would not pass.
+/// Enters what the replicates of a start say beside the walks.
 inline void enter(Ledger& ledger, StatePoint const& point, std::vector<Measurement> const& gas,
                   std::vector<Measurement> const& walks) {
-    double const margin = 0.04 * at(walks, 1).value;
+    double const margin = excess_margin * mean_of(walks, 1).value;
     double rise = 0; // the largest, in standard errors
     for (std::size_t look = 0; look < looks().size(); ++look) {
         std::vector<std::string> const state{name_of(point.begin),
                                              fmt::format("{}", looks()[look])};
-        Estimate const theory = at(walks, 2 * look + 1), met = at(walks, 2 * look);
-        Estimate const h = at(gas, 2 * look + 1);
+        Estimate const theory = mean_of(walks, 2 * look + 1), met = mean_of(walks, 2 * look);
+        Estimate const h = mean_of(gas, 2 * look + 1);
         ledger.compare(state, {"excess_H", "$H-H_\\infty$"},
                        {{}, h, theory.value, theory.error, margin});
         if (looks()[look] >= 2)
-            ledger.compare(state, {"collisions_per_ball", "collisions"},
-                           {{}, at(gas, 2 * look), met.value, met.error, 0.05 * met.value});
+            ledger.compare(
+                state, {"collisions_per_ball", "collisions"},
+                {{}, mean_of(gas, 2 * look), met.value, met.error, collisions_margin * met.value});
         if (look == 0) continue;
         std::vector<double> steps;
         for (Measurement const& values : gas)

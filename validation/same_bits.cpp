@@ -22,7 +22,8 @@ Question const question{
     "same_bits",
     "Do all searches, queues, vector instructions, optimisation levels and compilers move the "
     "balls to the same last bit?",
-    "none: one hash a scene over the collision sequence, the bits of its times and of the outgoing "
+    "none",
+    "one hash a scene over the collision sequence, the bits of its times and of the outgoing "
     "velocities; two different sequences share a hash once in 2^64"};
 
 /// The hashes that one build gives.

@@ -15,9 +15,13 @@ Question const question{
     "self_diffusion",
     "Do displacements and velocities give the same self-diffusion, is it Enskog's in the dilute "
     "gas, and does it grow with the box as the hydrodynamics of its images says?",
-    "routes: 2 %, the tenth part of what a fluid adds to Enskog's value; dilute: half of what "
-    "Sonine's polynomials beyond the first add; slope with 1/side: 25 %, for what Enskog's "
-    "viscosity and the next power of 1/side may be off"};
+    fmt::format(
+        "{} between the routes; {} of Enskog's value in the dilute gas; {} of the slope with "
+        "1/side",
+        percent(route_margin), percent(dilute_margin), percent(slope_margin)),
+    "the tenth part of what a fluid adds to Enskog's value; half of what Sonine's polynomials "
+    "beyond "
+    "the first add; what Enskog's viscosity and the next power of 1/side may be off"};
 
 Csv curve() {
     Csv csv({"packing_fraction", "D_speedy_over_enskog"});
@@ -48,10 +52,11 @@ Verdict ask(Experiment& experiment) {
     std::vector<StatePoint> sizes;
     std::vector<std::vector<Measurement>> of_size;
     Macros macros("SelfDiffusion");
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const seen = experiment.campaign().replicates(
-            point.text(), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed); });
+    auto const points = state_points(experiment.profile());
+    auto const all = experiment.campaign().replicates(tasks_of(points, measure));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        StatePoint const& point = points[k];
+        auto const& seen = all[k];
         enter(ledger, point, seen);
         add_point(values, point, seen);
         if (point.fluid.packing_fraction != of_sizes) continue;
@@ -64,7 +69,7 @@ Verdict ask(Experiment& experiment) {
     }
     Estimate const slope = size_slope(sizes, of_size);
     ledger.compare({fmt::format("{:.3f}", of_sizes), "all"}, {"size_slope", "slope with $1/L$"},
-                   {{}, slope, 1, 0, 0.25});
+                   {{}, slope, 1, 0, slope_margin});
     macros.define("Slope", with_error(slope));
     experiment.write(values, "_values");
     experiment.write(curve(), "_theory");
@@ -76,5 +81,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

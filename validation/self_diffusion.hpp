@@ -3,7 +3,7 @@
 
 #include "reference/enskog.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/straight_line.hpp"
 #include "validation/self_motion.hpp"
 
 #include <fmt/format.h>
@@ -97,33 +97,32 @@ inline Estimate size_slope(std::vector<StatePoint> const& points,
                            std::vector<std::vector<Measurement>> const& all) {
     std::vector<double> slopes;
     for (std::size_t replicate = 0; replicate < all.front().size(); ++replicate) {
-        double n = 0, x1 = 0, x2 = 0, y1 = 0, xy = 0;
+        std::vector<double> deficits, found;
         for (std::size_t p = 0; p < points.size(); ++p) {
-            double const x = deficit(points[p].fluid, all[p]), y = all[p][replicate][einstein];
-            ++n;
-            x1 += x;
-            x2 += x * x;
-            y1 += y;
-            xy += x * y;
+            deficits.push_back(deficit(points[p].fluid, all[p]));
+            found.push_back(all[p][replicate][einstein]);
         }
-        slopes.push_back(-(n * xy - x1 * y1) / (n * x2 - x1 * x1));
+        slopes.push_back(-line_through(deficits, found).slope);
     }
     return mean_of(slopes);
 }
+
+/// Margins as parts: of one route for the other, of Enskog's value, of the slope with 1/side.
+constexpr double route_margin = 0.02, slope_margin = 0.25;
+constexpr double dilute_margin = (reference::self_diffusion_all_orders - 1) / 2;
 
 /// The two routes, everywhere, and Enskog's value where it is exact.
 inline void enter(Ledger& ledger, StatePoint const& point, std::vector<Measurement> const& seen) {
     std::vector<std::string> const state{fmt::format("{:.3f}", point.fluid.packing_fraction),
                                          cell(point.fluid.count)};
-    std::vector<double> ratios;
-    for (Measurement const& values : seen) ratios.push_back(values[green_kubo] / values[einstein]);
+    auto const ratio = [](Measurement const& m) { return m[green_kubo] / m[einstein]; };
     ledger.compare(state, {"route_ratio", "$D_{\\text{GK}}/D_{\\text{E}}$"},
-                   {{}, mean_of(ratios), 1, 0, 0.02});
+                   {{}, mean_of(seen, ratio), 1, 0, route_margin});
     Estimate const found = extrapolated(point.fluid, seen);
     double const unit = reference::Enskog(point.fluid.packing_fraction).self_diffusion;
     if (point.fluid.packing_fraction == dilute) {
-        double const margin = (reference::self_diffusion_all_orders - 1) / 2;
-        ledger.compare(state, {"over_enskog", "$D/D_{\\text{Enskog}}$"}, {{}, found, 1, 0, margin});
+        ledger.compare(state, {"over_enskog", "$D/D_{\\text{Enskog}}$"},
+                       {{}, found, 1, 0, dilute_margin});
         return;
     }
     Estimate raw = mean_of(seen, einstein);

@@ -92,21 +92,22 @@ inline std::string name_of(Yardstick const yardstick) {
     }
 }
 
-/// Verdicts: of those that are judged together, of the aims each alone.
+/// Verdicts: of the aims each alone, then of those that are judged together, which alone count for
+/// the experiment.
 inline void decide(std::vector<Target>& targets) {
     std::vector<Comparison> together;
-    for (Target const& target : targets)
+    for (Target& target : targets) {
+        Comparison const asked = at_least(least_of(target.yardstick), target.factor);
         if (is_judged(target.yardstick))
-            together.push_back(at_least(least_of(target.yardstick), target.factor));
+            together.push_back(asked);
+        else
+            target.verdict = judge({asked}, of_timing).front().verdict;
+    }
+    forget_judged();
     auto const judgements = judge(together, of_timing);
     auto next = judgements.begin();
     for (Target& target : targets)
-        target.verdict =
-            is_judged(target.yardstick)
-                ? (next++)->verdict
-                : judge({at_least(least_of(target.yardstick), target.factor)}, of_timing)
-                      .front()
-                      .verdict;
+        if (is_judged(target.yardstick)) target.verdict = (next++)->verdict;
 }
 
 /// The point of the same packing fraction with `not_small` balls.

@@ -14,17 +14,16 @@ Question const question{
     "tonks_gas",
     "Do balls on a line between two walls follow the exact solution by ghosts, and is their "
     "pressure Tonks's?",
-    "places: four roundings of the side a collision, all to one side; numbers of collisions: none; "
-    "pressure: each ghost hits each wall at most once more or less than its due; without chance, "
-    "so without a false alarm"};
+    "places: 4 roundings of the side a collision; numbers of collisions: 0; pressure: 1 hit of "
+    "each "
+    "ghost on each wall",
+    "roundings at worst all to one side; a hit more or less than a ghost's due; without chance, so "
+    "without a false alarm"};
 
 /// One of the values at one look, over the starts.
 Estimate over_starts(std::vector<Measurement> const& replicates, int const look,
                      Value const value) {
-    std::vector<double> values;
-    for (Measurement const& seen : replicates)
-        values.push_back(seen.at(static_cast<std::size_t>(look) * value_count + value));
-    return mean_of(values);
+    return mean_of(replicates, static_cast<std::size_t>(look) * value_count + value);
 }
 
 void add_course(Csv& csv, StatePoint const& point, std::vector<Measurement> const& replicates) {
@@ -47,10 +46,12 @@ Verdict ask(Experiment& experiment) {
     Macros macros("TonksGas");
     double collisions = 0, worst = 0;
     int starts = 0;
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const replicates = experiment.campaign().replicates(
-            point.text(), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed); });
+    auto const points = state_points(experiment.profile());
+    auto const all = experiment.campaign().replicates(tasks_of(
+        points, [](StatePoint const& point, std::uint64_t seed) { return measure(point, seed); }));
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        StatePoint const& point = points[p];
+        auto const& replicates = all[p];
         enter(ledger, point, replicates);
         add_course(course, point, replicates);
         starts += point.replicates;
@@ -74,5 +75,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

@@ -1,10 +1,10 @@
 #pragma once
-// Momentum and heat carried through a fluid: shared by viscosity and thermal_conductivity.
+// Momentum and heat carried through a fluid: state points, one measurement, and what it should
+// give.
 
 #include "observables/helfand_moments.hpp"
 #include "reference/enskog.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/options.hpp"
 #include "validation/periodic_fluid.hpp"
 
 #include <fmt/format.h>
@@ -23,19 +23,19 @@ struct StatePoint {
     }
 };
 
-/// Where Enskog's theory is a yardstick: what it leaves out is of the order of the packing fraction
-/// squared.
-constexpr double yardstick_max = 0.02, bulk_yardstick_max = 0.06;
+/// The highest packing fraction where Enskog's theory is a yardstick.
+constexpr double judged_up_to = 0.1;
 
-/// Few balls: the moments are of the whole fluid, so that more of them tell no more, and the
-/// coefficients hardly depend on their number.
+/// Few balls: the moments are of the whole fluid, so that more of them tell no more, and what fewer
+/// of them take off the coefficients is known.
 inline std::vector<StatePoint> state_points(Profile const profile) {
     double const longer = profile == Profile::quick ? 1 : 20;
     return {{{0.01, 108}, 8, 16, 8000 * longer},
             {{0.05, 108}, 8, 16, 6000 * longer},
-            {{0.2, 108}, 8, 16, 2000 * longer},
-            {{0.35, 108}, 10, 20, 2000 * longer},
-            {{0.49, 108}, 40, 80, 3000 * longer}};
+            {{judged_up_to, 108}, 8, 16, 6000 * longer, 24},
+            {{0.2, 108}, 8, 16, 1000 * longer},
+            {{0.35, 108}, 10, 20, 1000 * longer},
+            {{0.49, 108}, 40, 80, 2000 * longer}};
 }
 
 enum Value : std::size_t { shear_viscosity, bulk_viscosity, thermal_conductivity };
@@ -88,30 +88,74 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
             (late.heat - early.heat) / (3 * unit)};
 }
 
-inline double enskog(StatePoint const& point, Value const value) {
-    reference::Enskog const theory(point.fluid.packing_fraction);
-    return value == shear_viscosity  ? theory.shear_viscosity
-           : value == bulk_viscosity ? theory.bulk_viscosity
-                                     : theory.thermal_conductivity;
-}
+/// What is asked of one coefficient.
+struct Asked {
+    Value value;
+    Quantity quantity;
+    double margin;                          // as a part of Enskog's value
+    double lowest, highest;                 // packing fractions where that is a yardstick
+    double reference::Enskog::*coefficient; // the yardstick
+    double (*of_count)(double);             // what so few balls have of it
+};
 
-/// Over Enskog's value.
+/// Enskog leaves out what is of the order of the packing fraction squared. The margins of the shear
+/// viscosity and of the conductivity are a quarter and a sixth of what collisions add to
+/// Boltzmann's value where they are judged last. The bulk viscosity is all due to collisions; in
+/// the thinnest gas it is all noise.
+inline std::vector<Asked> const asked{{shear_viscosity,
+                                       {"shear", "$\\eta_{\\mathrm s}$ / Enskog's"},
+                                       0.05,
+                                       0,
+                                       judged_up_to,
+                                       &reference::Enskog::shear_viscosity,
+                                       reference::momentum_flux_of},
+                                      {bulk_viscosity,
+                                       {"bulk", "$\\zeta$ / Enskog's"},
+                                       0.15,
+                                       0.02,
+                                       0.06,
+                                       &reference::Enskog::bulk_viscosity,
+                                       [](double) { return 1.0; }},
+                                      {thermal_conductivity,
+                                       {"conductivity", "$\\lambda$ / Enskog's"},
+                                       0.08,
+                                       0,
+                                       judged_up_to,
+                                       &reference::Enskog::thermal_conductivity,
+                                       reference::heat_flux_of}};
+
 inline Estimate over_enskog(StatePoint const& point, std::vector<Measurement> const& seen,
-                            Value const value) {
-    double const unit = enskog(point, value);
-    Estimate const found = mean_of(seen, value);
-    return {found.value / unit, found.error / unit, found.degrees_of_freedom};
+                            Asked const& of) {
+    double const unit = reference::Enskog(point.fluid.packing_fraction).*of.coefficient *
+                        of.of_count(static_cast<double>(point.fluid.count));
+    return mean_of(seen, [&](Measurement const& values) { return values[of.value] / unit; });
 }
 
-/// A yardstick up to a packing fraction, beyond it a guide line.
-inline void enter(Ledger& ledger, StatePoint const& point, std::vector<Measurement> const& seen,
-                  Value const value, Quantity const& quantity, double const margin,
-                  double const packing_fraction_max = yardstick_max) {
-    std::vector<std::string> const state{cell(point.fluid.packing_fraction),
-                                         cell(point.fluid.count)};
-    Comparison const found{{}, over_enskog(point, seen, value), 1, 0, margin};
-    point.fluid.packing_fraction <= packing_fraction_max ? ledger.compare(state, quantity, found)
-                                                         : ledger.guide(state, quantity, found);
+/// Boltzmann's value, of a gas without density, over Enskog's.
+inline double boltzmann_over_enskog(Asked const& of) {
+    constexpr double no_density = 1e-9;
+    return reference::Enskog(no_density).*of.coefficient /
+           reference::Enskog(judged_up_to).*of.coefficient;
+}
+
+/// A yardstick up to a packing fraction, where Boltzmann's value must not pass; beyond it a guide.
+inline void enter(Ledger& ledger, StatePoint const& point, std::vector<Measurement> const& seen) {
+    double const eta = point.fluid.packing_fraction;
+    std::vector<std::string> const state{cell(eta), cell(point.fluid.count)};
+    for (Asked const& of : asked) {
+        if (eta < of.lowest) continue;
+        Comparison found{
+            .measured = over_enskog(point, seen, of), .reference = 1, .margin = of.margin};
+        if (eta > of.highest) {
+            ledger.guide(state, of.quantity, found);
+            continue;
+        }
+        ledger.compare(state, of.quantity, found);
+        if (eta != judged_up_to) continue;
+        found.reference = boltzmann_over_enskog(of);
+        found.asks = Asks::whether_apart;
+        ledger.compare(state, {of.quantity.name + "_not_boltzmann", of.quantity.symbol}, found);
+    }
 }
 
 } // namespace clack::validation::transport

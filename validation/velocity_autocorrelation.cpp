@@ -15,8 +15,11 @@ Question const question{
     "velocity_autocorrelation",
     "Does the velocity autocorrelation begin with -2/3 of the collision rate, decay in the dilute"
     " gas as Kac's walk does, and end in the predicted tail?",
-    "1.5 % of the slope; 0.005 of C(0), what a rate wrong by 1.4 % does; a third of the tail, "
-    "which is judged in the full profile, for Enskog's coefficients in it"};
+    fmt::format("{} of the slope; {} of C(0); {} of the tail (full profile)", percent(slope_margin),
+                decay_margin, percent(tail_margin)),
+    "what a rate wrong by 1.4 % does to C where it does most; Enskog's coefficients in the tail "
+    "and "
+    "how it is read"};
 
 void add_curve(Csv& csv, StatePoint const& point, std::vector<Measurement> const& seen,
                std::vector<Measurement> const& walks) {
@@ -42,17 +45,19 @@ Verdict ask(Experiment& experiment) {
     Ledger ledger({{"packing_fraction", "$\\eta$"}, {"count", "$n$"}});
     Csv curves({"part", "packing_fraction", "time_per_mean_free_time", "C_over_C0",
                 "C_over_C0_error", "C_over_C0_dilute", "tail_in_box", "tail"});
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const seen = experiment.campaign().replicates(
-            point.text(), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed); });
-        std::vector<Measurement> walks;
+    auto const points = state_points(experiment.profile());
+    auto tasks = tasks_of(points, measure);
+    for (StatePoint const& point : points)
         if (point.fluid.packing_fraction == dilute)
-            walks = experiment.campaign().replicates(
-                point.text() + " walk", walk_count,
-                [&](std::uint64_t const seed) { return walk(point, seed); });
-        enter(ledger, point, seen, walks);
-        add_curve(curves, point, seen, walks);
+            tasks.push_back({point.text() + " walk", walk_count,
+                             [=](std::uint64_t const seed) { return walk(point, seed); }});
+    auto const all = experiment.campaign().replicates(tasks);
+    for (std::size_t k = 0, walked = points.size(); k < points.size(); ++k) {
+        StatePoint const& point = points[k];
+        bool const is_dilute = point.fluid.packing_fraction == dilute;
+        auto const walks = is_dilute ? all[walked++] : std::vector<Measurement>{};
+        enter(ledger, point, all[k], walks);
+        add_curve(curves, point, all[k], walks);
     }
     experiment.write(curves, "_curves");
     return conclude(experiment, ledger, Macros("VelocityAutocorrelation"));
@@ -63,5 +68,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

@@ -4,7 +4,7 @@
 #include "reference/enskog.hpp"
 #include "reference/kac_walk.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/straight_line.hpp"
 #include "validation/self_motion.hpp"
 
 #include <fmt/format.h>
@@ -105,50 +105,41 @@ inline double tail(PeriodicFluid const& fluid, double const mean_free_times) {
 /// tail falls off faster, and is still a third of it at 25 mean free times.
 inline double tail_ratio(StatePoint const& point, Measurement const& values) {
     double const interval = point.watch().interval;
-    double w0 = 0, w1 = 0, w2 = 0, y0 = 0, y1 = 0; // weights: the tail squared, as errors are even
+    std::vector<double> inverse_times;
+    std::vector<Estimate> ratios; // with errors as those of C, which are even
     for (std::size_t lag = 0; lag < values.size(); ++lag) {
         double const time = static_cast<double>(lag) * interval;
         if (time < tail_from) continue;
-        double const expected = tail(point.fluid, time), x = expected / time;
-        double const rest = values[lag] - std::exp(-2 * time / 3);
-        w0 += expected * expected;
-        w1 += expected * x;
-        w2 += x * x;
-        y0 += rest * expected;
-        y1 += rest * x;
+        double const expected = tail(point.fluid, time);
+        inverse_times.push_back(1 / time);
+        ratios.push_back({(values[lag] - std::exp(-2 * time / 3)) / expected, 1 / expected});
     }
-    return (w2 * y0 - w1 * y1) / (w0 * w2 - w1 * w1);
+    return line_through(inverse_times, ratios).at_0.value;
 }
 
+/// Margins: as a part of the slope; of C over C(0), what a rate of decay wrong by 1.4 % does where
+/// it does most; as a part of the tail, for Enskog's coefficients in it and for how it is read.
+constexpr double slope_margin = 0.015, decay_margin = 0.005, tail_margin = 1.0 / 3;
+
 /// Enters what the replicates of a point say: the slope everywhere, the whole decay of the gas
-/// beside the walks, the height of the tail. The margins: 1.5 % of the slope; 0.005 of C(0), what a
-/// rate of decay wrong by 1.4 % does where it does most; a third of the tail, for Enskog's
-/// coefficients in it and for how it is read. The quick profile does not see it well enough.
+/// beside the walks, the height of the tail, which the quick profile does not see well enough.
 inline void enter(Ledger& ledger, StatePoint const& point, std::vector<Measurement> const& seen,
                   std::vector<Measurement> const& walks = {}) {
     std::vector<std::string> const state{cell(point.fluid.packing_fraction),
                                          cell(point.fluid.count)};
-    auto const over_replicates = [&](auto const& value) {
-        std::vector<double> values;
-        for (Measurement const& measurement : seen) values.push_back(value(measurement));
-        return mean_of(values);
-    };
     if (point.part == Part::tail) {
         Quantity const quantity{"tail", "tail / expected"};
         auto const ratio = [&](Measurement const& values) { return tail_ratio(point, values); };
-        Comparison const height{{}, over_replicates(ratio), 1, 0, 1.0 / 3};
+        Comparison const height{{}, mean_of(seen, ratio), 1, 0, tail_margin};
         if (point.is_long()) ledger.compare(state, quantity, height);
         if (!point.is_long()) ledger.guide(state, quantity, height);
         return;
     }
     double const interval = point.watch().interval;
     double const slope = initial_slope(point.fluid) / point.fluid.collision_rate();
+    auto const begin = [&](Measurement const& m) { return measured_slope(m, interval); };
     ledger.compare(state, {"initial_slope", "$\\dot C(0)/\\nu C(0)$"},
-                   {{},
-                    over_replicates([&](auto const& m) { return measured_slope(m, interval); }),
-                    slope,
-                    0,
-                    -0.015 * slope});
+                   {{}, mean_of(seen, begin), slope, 0, -slope_margin * slope});
     for (double const time : {0.5, 1.0, 2.0, 3.0, 4.0, 6.0}) {
         auto const lag = static_cast<std::size_t>(std::lround(time / interval));
         Quantity const quantity{"decay", fmt::format("$C({}/\\nu)/C(0)$", time)};
@@ -157,7 +148,8 @@ inline void enter(Ledger& ledger, StatePoint const& point, std::vector<Measureme
             ledger.guide(state, quantity, {{}, measured, std::exp(-2 * time / 3)});
         } else {
             Estimate const walked = mean_of(walks, lag);
-            ledger.compare(state, quantity, {{}, measured, walked.value, walked.error, 0.005});
+            ledger.compare(state, quantity,
+                           {{}, measured, walked.value, walked.error, decay_margin});
         }
     }
 }

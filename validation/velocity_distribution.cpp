@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace clack::validation {
 
@@ -21,65 +20,33 @@ Question const question{
     "velocity_distribution",
     "Do balls that start with equal speeds in a cube with walls relax to the exact velocity law of "
     "finitely many balls at constant energy?",
-    "half the distance of the fourth moment from Maxwell and Boltzmann's, so that their law would "
-    "not pass for the exact one"};
+    "half the distance of the fourth moment from Maxwell and Boltzmann's",
+    "their law would not pass for the exact one"};
 
-/// A state point with all that was found out about it.
+/// A state point and what was measured there.
 struct Row {
     StatePoint point;
-    Findings findings;
-    Judgement moment;
-    Verdict verdict;
-    double spacing, inefficiency; // means over the replicates
+    std::vector<Measurement> replicates;
+    std::vector<std::int64_t> counts;
 
     double samples() const { return 1.0 * point.looks * point.replicates; }
+    /// Whether the same counts refuse Maxwell and Boltzmann's law.
+    double maxwell_p_value() const {
+        return chi_square(counts, bin_probabilities(reference::MaxwellBoltzmann(1, 1))).p_value;
+    }
 };
 
-std::vector<Row> measured(Experiment& experiment) {
-    std::vector<Row> rows;
-    std::vector<Findings> all;
-    std::vector<Comparison> moments;
-    auto const points = state_points(experiment.profile());
-    auto const replicates = experiment.campaign().replicates(tasks_of(
-        points, [](StatePoint const& point, std::uint64_t seed) { return measure(point, seed); }));
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        StatePoint const& point = points[k];
-        all.push_back(find(point, replicates[k]));
-        moments.push_back(all.back().fourth_moment);
-        rows.push_back({point, all.back(), {}, {}, 0, 0});
-        for (Measurement const& measurement : replicates[k]) {
-            rows.back().spacing += Sample(measurement).spacing / point.replicates;
-            rows.back().inefficiency += Sample(measurement).inefficiency / point.replicates;
-        }
-    }
-    auto const judgements = judge(moments);
-    auto const verdicts = judge_points(all);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].moment = judgements[k];
-        rows[k].verdict = verdicts[k];
-    }
-    return rows;
-}
-
-/// Whether the same counts refuse Maxwell and Boltzmann's law.
-double maxwell_p_value(Row const& row) {
-    auto const limit = bin_probabilities(reference::MaxwellBoltzmann(1, 1));
-    return chi_square(row.findings.counts, limit).p_value;
-}
-
-Csv csv_of(std::vector<Row> const& rows) {
+/// How independent the samples are, and what the law of infinitely many balls would be worth.
+Csv samples_of(std::vector<Row> const& rows) {
     Csv csv({"count", "packing_fraction", "samples", "collisions_per_ball_between_samples",
-             "statistical_inefficiency", "fourth_moment", "fourth_moment_error",
-             "fourth_moment_theory", "margin", "z", "p_chi_square", "p_kolmogorov_smirnov",
-             "p_anderson_darling", "p_chi_square_maxwell_boltzmann", "verdict"});
+             "statistical_inefficiency", "p_chi_square_maxwell_boltzmann"});
     for (Row const& row : rows) {
-        Comparison const& moment = row.findings.fourth_moment;
+        auto const mean = [&](double Sample::*const member) {
+            return mean_of(row.replicates, [=](Measurement const& m) { return Sample(m).*member; });
+        };
         csv.row({cell(row.point.count), cell(row.point.packing_fraction), cell(row.samples()),
-                 cell(row.spacing), cell(row.inefficiency), cell(moment.measured.value),
-                 cell(moment.measured.error), cell(moment.reference), cell(moment.margin),
-                 cell(row.moment.z), cell(row.findings.fits[0].p_value),
-                 cell(row.findings.fits[1].p_value), cell(row.findings.fits[2].p_value),
-                 cell(maxwell_p_value(row)), cell(name_of(row.verdict))});
+                 cell(mean(&Sample::spacing).value), cell(mean(&Sample::inefficiency).value),
+                 cell(row.maxwell_p_value())});
     }
     return csv;
 }
@@ -95,7 +62,7 @@ Csv histograms(std::vector<Row> const& rows) {
             double const middle = (static_cast<double>(k) + 0.5) * bin_width;
             double const scale = 1 / (row.samples() * bin_width);
             csv.row({cell(row.point.count), cell(middle),
-                     cell(static_cast<double>(row.findings.counts[k]) * scale),
+                     cell(static_cast<double>(row.counts[k]) * scale),
                      cell(std::sqrt(row.samples() * exact[k] * (1 - exact[k])) * scale),
                      cell(exact[k] / bin_width), cell(limit[k] / bin_width)});
         }
@@ -128,20 +95,15 @@ struct Course {
     }
 };
 
-Course relax(Experiment& experiment) {
-    Course course;
-    if (experiment.profile() == Profile::full) course.relaxation.replicates = 5000;
-    auto const replicates = experiment.campaign().replicates(
-        course.relaxation.text(), course.relaxation.replicates,
-        [&](std::uint64_t const seed) { return measure(course.relaxation, seed); });
+Relaxation relaxation_of(Profile const profile) {
+    return profile == Profile::quick ? Relaxation{} : Relaxation{.replicates = 5000};
+}
+
+Course course_of(Relaxation const& relaxation, std::vector<Measurement> const& replicates) {
+    Course course{relaxation, {}, {}};
     for (std::size_t look = 0; look < relaxation_looks().size(); ++look) {
-        std::vector<double> collisions, moments;
-        for (Measurement const& measurement : replicates) {
-            collisions.push_back(measurement[2 * look]);
-            moments.push_back(measurement[2 * look + 1]);
-        }
-        course.collisions.push_back(mean_of(collisions).value);
-        course.moments.push_back(mean_of(moments));
+        course.collisions.push_back(mean_of(replicates, 2 * look).value);
+        course.moments.push_back(mean_of(replicates, 2 * look + 1));
     }
     return course;
 }
@@ -161,76 +123,43 @@ Csv csv_of(Course const& course) {
     return csv;
 }
 
-std::string table_of(std::vector<Row> const& rows) {
-    std::vector<std::vector<std::string>> cells;
-    for (Row const& row : rows) {
-        std::vector<std::string> line{cell(row.point.count), significant(row.samples(), 2),
-                                      with_error(row.findings.fourth_moment.measured),
-                                      fmt::format("{:.5f}", row.findings.fourth_moment.reference),
-                                      fmt::format("${:+.1f}$", row.moment.z)};
-        for (GoodnessOfFit const& fit : row.findings.fits)
-            line.push_back(fmt::format("{:.2f}", fit.p_value));
-        line.push_back(name_of(row.verdict));
-        cells.push_back(line);
-    }
-    return tabular("rrlrrrrrl",
-                   {"$n$", "speeds", "$\\langle v^4\\rangle/\\langle v^2\\rangle^2$", "theory",
-                    "$z$", "$\\chi^2$", "KS", "AD", "verdict"},
-                   cells);
-}
-
 /// A probability, or that there is hardly any.
 std::string probability(double const p) { return p < 1e-100 ? "$< 10^{-100}$" : significant(p, 2); }
 
-Macros macros_of(std::vector<Row> const& rows, Course const& course, Profile const profile,
-                 Verdict const verdict) {
-    double largest_z = 0, least_p = 1;
-    for (Row const& row : rows) {
-        largest_z = std::max(largest_z, std::abs(row.moment.z));
-        for (GoodnessOfFit const& fit : row.findings.fits) least_p = std::min(least_p, fit.p_value);
-    }
+Macros macros_of(std::vector<Row> const& rows, Course const& course, Ledger const& ledger) {
+    double least_p = 1;
+    for (Entry const& entry : ledger.entries()) least_p = std::min(least_p, entry.p_value);
     Macros macros("VelocityDistribution");
-    macros.define("Profile", name_of(profile));
     macros.define("FewestBalls", cell(rows.front().point.count));
     macros.define("MostBalls", cell(rows.back().point.count));
     macros.define("FewestSpeeds", significant(rows.front().samples(), 2));
-    macros.define("LargestZ", significant(largest_z, 2));
     macros.define("LeastP", probability(least_p));
-    macros.define("MaxwellBoltzmannP", probability(maxwell_p_value(rows.front())));
+    macros.define("MaxwellBoltzmannP", probability(rows.front().maxwell_p_value()));
     macros.define("FirstRise", with_error(course.first_rise()));
     macros.define("FirstRiseTheory", significant(first_rise, 4));
     macros.define("RelaxationBalls", cell(course.relaxation.count));
     macros.define("RelaxationStarts", cell(course.relaxation.replicates));
-    macros.define("FalseAlarmPercent", significant(100 * Risks{}.false_alarm, 1));
-    macros.define("Verdict", name_of(verdict));
     return macros;
 }
 
 Verdict ask(Experiment& experiment) {
-    std::vector<Row> const rows = measured(experiment);
-    Course const course = relax(experiment);
-    std::vector<Verdict> verdicts;
-    for (Row const& row : rows) {
-        verdicts.push_back(row.verdict);
-        auto const& fits = row.findings.fits;
-        std::cout << fmt::format("{:3} balls: <v^4>/<v^2>^2 = {}  theory {:.5f}  z = {:+.1f}  "
-                                 "p = {:.2f} (chi-square), {:.2f} (KS), {:.2f} (AD)  {}\n",
-                                 row.point.count, with_error(row.findings.fourth_moment.measured),
-                                 row.findings.fourth_moment.reference, row.moment.z,
-                                 fits[0].p_value, fits[1].p_value, fits[2].p_value,
-                                 name_of(row.verdict));
+    auto const points = state_points(experiment.profile());
+    Relaxation const relaxation = relaxation_of(experiment.profile());
+    auto tasks = tasks_of<StatePoint>(points, measure);
+    tasks.push_back(tasks_of<Relaxation>({relaxation}, measure).front());
+    auto const all = experiment.campaign().replicates(tasks);
+    Ledger ledger({Key{"count", "$n$"}});
+    std::vector<Row> rows;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        enter(ledger, points[k], all[k]);
+        rows.push_back({points[k], all[k], counts_of(all[k])});
     }
-    std::cout << fmt::format(
-        "first rise of <v^4>/<v^2>^2 per collision of a ball: {}  theory {:.5f}\n",
-        with_error(course.first_rise()), first_rise);
-    Verdict const verdict = together(verdicts);
+    Course const course = course_of(relaxation, all.back());
+    experiment.write(samples_of(rows), "_samples");
     experiment.write(histograms(rows), "_histogram");
     experiment.write(laws(rows.front().point), "_theory");
     experiment.write(csv_of(course), "_relaxation");
-    experiment.write(macros_of(rows, course, experiment.profile(), verdict));
-    experiment.write_table(table_of(rows));
-    experiment.write(csv_of(rows));
-    return verdict;
+    return conclude(experiment, ledger, macros_of(rows, course, ledger));
 }
 
 } // namespace

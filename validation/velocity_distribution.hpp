@@ -2,13 +2,11 @@
 // How fast the balls are: state points, one measurement, and what it should give.
 
 #include "reference/velocity_laws.hpp"
-#include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/goodness_of_fit.hpp"
 #include "validation/harness/independence.hpp"
+#include "validation/harness/ledger.hpp"
 #include "validation/harness/many_tests.hpp"
-#include "validation/harness/options.hpp"
-#include "validation/harness/verdict.hpp"
 
 #include <fmt/format.h>
 
@@ -131,12 +129,13 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
     return sample.as_measurement();
 }
 
-/// A state point's replicates taken together.
-struct Findings {
-    Comparison fourth_moment;
-    std::vector<std::int64_t> counts = std::vector<std::int64_t>(bin_count);
-    std::vector<GoodnessOfFit> fits; // chi-square, Kolmogorov-Smirnov, Anderson-Darling
-};
+/// How many speeds of all replicates lie in each bin.
+inline std::vector<std::int64_t> counts_of(std::vector<Measurement> const& replicates) {
+    std::vector<std::int64_t> counts(bin_count);
+    for (Measurement const& measurement : replicates)
+        for (std::size_t k = 0; k < bin_count; ++k) counts[k] += Sample(measurement).counts[k];
+    return counts;
+}
 
 /// Probabilities of the bins under a law of velocities.
 template <class Law> std::vector<double> bin_probabilities(Law const& law) {
@@ -157,48 +156,26 @@ inline reference::VelocityLaw law_of(StatePoint const& point) {
     return {system, system.degrees_of_freedom() / 2};
 }
 
-/// The fourth moment's margin is half its distance from Maxwell and Boltzmann's 5/3, so that one
-/// that agrees cannot be theirs.
-inline Findings find(StatePoint const& point, std::vector<Measurement> const& replicates) {
-    Findings findings;
-    std::vector<double> moments, distances, tails;
+/// What all replicates of a point say: the fourth moment, and three tests of fit. The moment's
+/// margin is half its distance from Maxwell and Boltzmann's 5/3, so that one that agrees cannot be
+/// theirs.
+inline void enter(Ledger& ledger, StatePoint const& point,
+                  std::vector<Measurement> const& replicates) {
+    std::vector<std::string> const state{cell(point.count)};
+    std::vector<double> distances, tails;
     for (Measurement const& measurement : replicates) {
-        Sample const sample(measurement);
-        moments.push_back(sample.fourth_moment);
-        distances.push_back(sample.kolmogorov_smirnov);
-        tails.push_back(sample.anderson_darling);
-        for (std::size_t k = 0; k < bin_count; ++k) findings.counts[k] += sample.counts[k];
+        distances.push_back(Sample(measurement).kolmogorov_smirnov);
+        tails.push_back(Sample(measurement).anderson_darling);
     }
     double const theory = law_of(point).fourth_moment_ratio();
-    findings.fourth_moment = {.name = point.text(),
-                              .measured = mean_of(moments),
-                              .reference = theory,
-                              .reference_error = 0,
-                              .margin =
-                                  (reference::MaxwellBoltzmann::fourth_moment_ratio - theory) / 2};
-    findings.fits = {
-        {"chi-square", chi_square(findings.counts, bin_probabilities(law_of(point))).p_value},
-        {"Kolmogorov-Smirnov", fisher(distances)},
-        {"Anderson-Darling", fisher(tails)}};
-    return findings;
-}
-
-/// Verdict on each point: the fits of all points are judged together, and so are the moments.
-inline std::vector<Verdict> judge_points(std::vector<Findings> const& all,
-                                         Risks const& risks = {}) {
-    std::vector<Comparison> moments;
-    std::vector<GoodnessOfFit> fits;
-    for (Findings const& findings : all) {
-        moments.push_back(findings.fourth_moment);
-        fits.insert(fits.end(), findings.fits.begin(), findings.fits.end());
-    }
-    auto const judgements = judge(moments, risks);
-    auto const fitted = judge(fits, risks.false_alarm);
-    std::vector<Verdict> verdicts;
-    for (std::size_t k = 0; k < all.size(); ++k)
-        verdicts.push_back(
-            together({judgements[k].verdict, fitted[3 * k], fitted[3 * k + 1], fitted[3 * k + 2]}));
-    return verdicts;
+    ledger.compare(state, {"fourth_moment", "$\\langle v^4\\rangle/\\langle v^2\\rangle^2$"},
+                   {.measured = mean_of(replicates, std::size_t{0}),
+                    .reference = theory,
+                    .margin = (reference::MaxwellBoltzmann::fourth_moment_ratio - theory) / 2});
+    ledger.fit(state, {"chi_square", "speeds, $\\chi^2$"},
+               chi_square(counts_of(replicates), bin_probabilities(law_of(point))).p_value);
+    ledger.fit(state, {"kolmogorov_smirnov", "speeds, KS"}, fisher(distances));
+    ledger.fit(state, {"anderson_darling", "speeds, AD"}, fisher(tails));
 }
 
 } // namespace clack::validation::velocity_distribution

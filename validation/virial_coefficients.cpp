@@ -12,8 +12,10 @@ Question const question{
     "virial_coefficients",
     "Are the second, third and fourth virial coefficients, fitted together to the pressure of "
     "dilute fluids, those that are known exactly?",
-    "0.15 % of B2, half of what a diameter wrong by 0.1 % does; 3 % of B3 and 8 % of B4, some "
-    "five standard errors of the quick profile"};
+    fmt::format("{} of B2; {} of B3; {} of B4 (full profile {:g} times as much)",
+                percent(margins[0]), percent(margins[1]), percent(margins[2]),
+                part_of_margin(Profile::full)),
+    "half of what a diameter wrong by 0.1 % does to B2; some five standard errors"};
 
 /// (Z - 1 - B2 eta) / eta^2, which begins as B3 + B4 eta, beside the series with more and more of
 /// its orders.
@@ -22,11 +24,9 @@ Csv points_of(std::vector<PeriodicRun> const& runs,
     Csv csv({"packing_fraction", "count", "beyond_B2", "beyond_B2_error", "theory"});
     for (std::size_t k = 0; k < runs.size(); ++k) {
         double const eta = runs[k].packing_fraction, square = eta * eta;
-        double const theory = reference::modified_klm(eta);
+        double const theory = runs[k].expected_of_infinitely_many();
         Estimate const z = mean_of(all[k], 0);
-        double const infinite =
-            z.value + theory -
-            reference::periodic_compressibility(runs[k].number_density(), runs[k].count);
+        double const infinite = z.value + theory - runs[k].expected();
         csv.row({cell(eta), cell(runs[k].count), cell((infinite - 1 - 4 * eta) / square),
                  cell(z.error / square), cell((theory - 1 - 4 * eta) / square)});
     }
@@ -52,24 +52,21 @@ Csv curves() {
 
 Verdict ask(Experiment& experiment) {
     auto const points = runs(experiment.profile());
-    std::vector<std::vector<Measurement>> all;
+    auto const all = experiment.campaign().replicates(tasks_of(points, measure));
     double collisions = 0;
-    for (PeriodicRun const& run : points) {
-        all.push_back(experiment.campaign().replicates(
-            run.text(), replicates, [&](std::uint64_t const seed) { return measure(run, seed); }));
-        collisions += replicates * run.production * static_cast<double>(run.count) / 2;
-    }
-    Findings findings("order", "order");
-    add_findings(findings, points, all);
+    for (PeriodicRun const& run : points)
+        collisions += run.replicates * run.production * static_cast<double>(run.count) / 2;
+    Ledger ledger({Key{"order", "order"}});
+    enter(ledger, points, all, experiment.profile());
     experiment.write(points_of(points, all), "_points");
     experiment.write(curves(), "_theory");
-    return findings.conclude(experiment, "VirialCoefficients", [&](Macros& macros) {
-        char const* const names[] = {"Second", "Third", "Fourth"};
-        for (std::size_t k = 0; k < fitted; ++k)
-            macros.define(names[k], with_error(findings.all()[k].comparison.measured));
-        macros.define("Collisions", significant(collisions, 2));
-        macros.define("HighestPacking", fmt::format("{:.2f}", points.back().packing_fraction));
-    });
+    Macros macros("VirialCoefficients");
+    char const* const names[] = {"Second", "Third", "Fourth"};
+    for (std::size_t k = 0; k < fitted; ++k)
+        macros.define(names[k], with_error(ledger.entries()[k].comparison.measured));
+    macros.define("Collisions", significant(collisions, 2));
+    macros.define("HighestPacking", fmt::format("{:.2f}", points.back().packing_fraction));
+    return conclude(experiment, ledger, std::move(macros));
 }
 
 } // namespace
@@ -77,5 +74,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

@@ -2,7 +2,7 @@
 // Virial coefficients from runs of dilute fluids: state points, the fit, and what it should give.
 
 #include "reference/published_table.hpp"
-#include "validation/harness/findings.hpp"
+#include "validation/harness/ledger.hpp"
 #include "validation/periodic_run.hpp"
 
 #include <Eigen/QR>
@@ -19,10 +19,9 @@ inline std::vector<PeriodicRun> runs(Profile const profile) {
     double const longer = profile == Profile::quick ? 1 : 20;
     std::vector<PeriodicRun> runs;
     for (double const eta : {0.01, 0.015, 0.02, 0.025, 0.11, 0.12, 0.22, 0.23})
-        runs.push_back({eta, 256, 30, 1800 * longer});
+        runs.push_back({{eta, 256}, 30, 1800 * longer});
     return runs;
 }
-constexpr int replicates = 16;
 
 /// What is fitted, in powers of the packing fraction; the orders above are taken from literature.
 constexpr std::size_t fitted = 3; // B2, B3, B4
@@ -32,9 +31,8 @@ constexpr int lowest_order = 2;
 /// B4 eta^2. The finite-size law is small, and right to the second order at these densities.
 inline double low_orders(PeriodicRun const& run, double const compressibility) {
     static auto const table = reference::PublishedTable::of_reference("virial_coefficients.csv");
-    double const eta = run.packing_fraction, rho = run.number_density();
-    double const to_infinite =
-        reference::modified_klm(eta) - reference::periodic_compressibility(rho, run.count);
+    double const eta = run.packing_fraction;
+    double const to_infinite = run.expected_of_infinitely_many() - run.expected();
     double sum = (compressibility + to_infinite - 1) / eta;
     for (std::size_t k = fitted; k < table.row_count(); ++k)
         sum -=
@@ -71,12 +69,16 @@ inline Measurement measure(PeriodicRun const& run, std::uint64_t const seed,
 }
 
 /// Margins as parts of B2, B3, B4: for B2 half of what a diameter wrong by 0.1 % does to it,
-/// for the others some five standard errors of the quick profile.
+/// for the others some five standard errors; in the full profile, whose errors are, four times
+/// smaller.
 constexpr std::array<double, fitted> margins{1.5e-3, 3e-2, 8e-2};
+constexpr double part_of_margin(Profile const profile) {
+    return profile == Profile::quick ? 1 : 0.25;
+}
 
 /// The coefficients of all replicates beside the exact ones. `all` holds the replicates run by run.
-inline void add_findings(Findings& findings, std::vector<PeriodicRun> const& runs,
-                         std::vector<std::vector<Measurement>> const& all) {
+inline void enter(Ledger& ledger, std::vector<PeriodicRun> const& runs,
+                  std::vector<std::vector<Measurement>> const& all, Profile const profile) {
     std::array<std::vector<double>, fitted> coefficients;
     for (std::size_t replicate = 0; replicate < all.front().size(); ++replicate) {
         std::vector<double> compressibilities;
@@ -87,12 +89,11 @@ inline void add_findings(Findings& findings, std::vector<PeriodicRun> const& run
     auto const table = reference::PublishedTable::of_reference("virial_coefficients.csv");
     for (std::size_t k = 0; k < fitted; ++k) {
         double const order = table.column("order")[k], exact = table.column("coefficient")[k];
-        findings.add({fmt::format("B{:.0f}", order),
-                      fmt::format("$B_{:.0f}$", order),
-                      order,
-                      {.measured = mean_of(coefficients[k]),
-                       .reference = exact,
-                       .margin = margins[k] * exact}});
+        ledger.compare({cell(order)},
+                       {fmt::format("B{:.0f}", order), fmt::format("$B_{:.0f}$", order)},
+                       {.measured = mean_of(coefficients[k]),
+                        .reference = exact,
+                        .margin = part_of_margin(profile) * margins[k] * exact});
     }
 }
 

@@ -11,14 +11,22 @@ namespace {
 
 using namespace wall_pressure;
 
+constexpr Margins quick = margins(Profile::quick), full = margins(Profile::full);
+
 Question const question{
     "wall_pressure",
     "Is the force on the walls of a cube that of the bulk's equation of state with the terms of "
     "faces, edges and a fixed number of balls; is it, by the contact theorem, the density of "
     "centres at the walls; and is it exact for two balls?",
-    "0.05 % for two balls and 0.1 % where they have little room, four tenths of what walls off by"
-    " 0.1 % do (0.2 % for their collisions); 0.3 % for many, three times the error of theory and "
-    "less than half of what such walls do to the densest; 2 % where a profile is extrapolated"};
+    fmt::format(
+        "two balls {} or, with little room, {} (full profile {} and {}); their collisions {} "
+        "({}); many {}; {} where a profile is extrapolated ({})",
+        percent(quick.two_balls), percent(quick.two_with_little_room), percent(full.two_balls),
+        percent(full.two_with_little_room), percent(quick.two_collisions),
+        percent(full.two_collisions), percent(quick.many), percent(quick.extrapolated),
+        percent(full.extrapolated)),
+    "four tenths of what walls off by 0.1 % do to two balls; three times the error of theory and "
+    "less than half of what such walls do to the densest; several standard errors"};
 
 /// Pressure of a cube of many balls and what theory makes of it, term after term.
 struct Row {
@@ -72,37 +80,34 @@ Csv profiles(std::vector<Row> const& rows) {
     return csv;
 }
 
-void define_macros(Macros& macros, std::vector<Row> const& rows) {
+Macros macros_of(std::vector<Row> const& rows, Margins const& allowed) {
     double least = 1, most = 0;
     for (Row const& row : rows) {
         double const short_of = 1 - naive(row.point) / row.pressure.value;
         least = std::min(least, short_of);
         most = std::max(most, short_of);
     }
+    Macros macros("WallPressure");
     macros.define("NaiveLeastPercent", significant(100 * least, 2));
     macros.define("NaiveMostPercent", significant(100 * most, 2));
-    macros.define("MarginPercent", significant(100 * margin, 1));
-    macros.define("ExtrapolatedMarginPercent", significant(100 * extrapolated_margin, 1));
+    macros.define("MarginPercent", significant(100 * allowed.many, 1));
+    macros.define("ExtrapolatedMarginPercent", significant(100 * allowed.extrapolated, 1));
+    return macros;
 }
 
 Verdict ask(Experiment& experiment) {
-    Findings findings("side_or_overall_density", "$L$ or $n/L^3$");
+    auto const points = state_points(experiment.profile());
+    auto const all = experiment.campaign().replicates(tasks_of(points, measure));
+    Margins const allowed = margins(experiment.profile());
+    Ledger ledger({Key{"side_or_overall_density", "$L$ or $n/L^3$"}});
     std::vector<Row> rows;
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const replicates = experiment.campaign().replicates(
-            point.text(), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed); });
-        if (point.count == 2) {
-            add_exact(findings, point, replicates);
-        } else {
-            add_cube(findings, point, replicates);
-            rows.push_back(row_of(point, replicates));
-        }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        enter(ledger, points[k], all[k], allowed);
+        if (points[k].count > 2) rows.push_back(row_of(points[k], all[k]));
     }
     experiment.write(csv_of(rows), "_cubes");
     experiment.write(profiles(rows), "_profile");
-    return findings.conclude(experiment, "WallPressure",
-                             [&](Macros& macros) { define_macros(macros, rows); });
+    return conclude(experiment, ledger, macros_of(rows, allowed));
 }
 
 } // namespace
@@ -110,5 +115,6 @@ Verdict ask(Experiment& experiment) {
 } // namespace clack::validation
 
 int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
+    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
+                                  clack::validation::Processes::one_a_state_point);
 }

@@ -9,7 +9,7 @@
 #include "reference/two_balls.hpp"
 #include "reference/walled_fluid.hpp"
 #include "validation/harness/engine_maker.hpp"
-#include "validation/harness/findings.hpp"
+#include "validation/harness/ledger.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ struct StatePoint {
     double side;
     double production; // collisions per ball that are counted, in one replicate
     int looks;         // at the places of the balls
-    int replicates;
+    int replicates = 16;
 
     std::string text() const {
         return fmt::format("count={} side={} production={} looks={}", count, side, production,
@@ -40,11 +40,11 @@ struct StatePoint {
 inline std::vector<StatePoint> state_points(Profile const profile) {
     double const longer = profile == Profile::quick ? 1 : 20;
     auto const looks = static_cast<int>(3000 * longer);
-    return {{2, 3, 400'000 * longer, 0, 16},
-            {2, 2.2, 400'000 * longer, 0, 16},
-            {200, 11, 3000 * longer, looks, 16},
-            {500, 11, 2000 * longer, looks, 16},
-            {1400, 13, 1000 * longer, looks, 16}};
+    return {{2, 3, 400'000 * longer, 0},
+            {2, 2.2, 400'000 * longer, 0},
+            {200, 11, 3000 * longer, looks},
+            {500, 11, 2000 * longer, looks},
+            {1400, 13, 1000 * longer, looks}};
 }
 
 /// What one replicate measures, with kT = 1. The first four are the density of centres where they
@@ -130,73 +130,72 @@ inline reference::WalledCubePressure theory_of(StatePoint const& point) {
     return reference::walled_cube_pressure(point.side, static_cast<double>(point.count));
 }
 
-/// Margin for two balls: four tenths of what walls off by 0.1 % do, and for the rate of collisions
-/// two thirds of what such a diameter does.
-constexpr double exact_margin(double const side) { return side < 2.5 ? 1e-3 : 5e-4; }
-constexpr double exact_rate_margin = 2e-3;
-/// For many: three times the error of theory, and less than half of what walls off by 0.1 % do to
-/// the densest. Where contact values are extrapolated, several standard errors.
-constexpr double margin = 3e-3;
-constexpr double extrapolated_margin = 2e-2;
+/// Margins as parts of the pressure. For two balls four tenths of what walls off by 0.1 % do, and
+/// for the rate of collisions two thirds of what such a diameter does. For many three times the
+/// error of theory, and less than half of what walls off by 0.1 % do to the densest. Where contact
+/// values are extrapolated, several standard errors. These are four times smaller in the full
+/// profile, and so are what two balls are allowed, and half of what extrapolation is.
+struct Margins {
+    double two_balls = 5e-4, two_with_little_room = 1e-3, two_collisions = 2e-3;
+    double many = 3e-3, extrapolated = 2e-2;
+};
+constexpr Margins margins(Profile const profile) {
+    if (profile == Profile::quick) return {};
+    return {.two_balls = 1.25e-4,
+            .two_with_little_room = 2.5e-4,
+            .two_collisions = 5e-4,
+            .extrapolated = 1e-2};
+}
 /// Relative error of the terms of theory together.
 constexpr double theory_error = 1e-3;
 
-/// Mean over replicates of one value less another.
-inline Estimate difference(std::vector<Measurement> const& replicates, Value const value,
-                           std::function<double(Measurement const&)> const& other) {
-    std::vector<double> differences;
-    for (Measurement const& replicate : replicates)
-        differences.push_back(replicate[value] - other(replicate));
-    return mean_of(differences);
-}
-
-inline void add_exact(Findings& findings, StatePoint const& point,
-                      std::vector<Measurement> const& replicates) {
+inline void enter_two(Ledger& ledger, StatePoint const& point,
+                      std::vector<Measurement> const& replicates, Margins const& margins) {
     reference::TwoBalls const exact{.side = point.side};
-    double const pressure = exact.wall_pressure(), rate = exact.collision_rate();
-    auto const add = [&](char const* name, char const* symbol, Value value, double expected,
-                         double relative_margin) {
-        findings.add({name,
-                      symbol,
-                      point.side,
-                      {.measured = mean_of(replicates, value),
-                       .reference = expected,
-                       .margin = relative_margin * expected}});
+    double const margin = point.side < 2.5 ? margins.two_with_little_room : margins.two_balls;
+    auto const add = [&](Quantity const& quantity, Value value, double expected, double part) {
+        ledger.compare({cell(point.side)}, quantity,
+                       {.measured = mean_of(replicates, value),
+                        .reference = expected,
+                        .margin = part * expected});
     };
-    add("two_balls_impulse", "2 balls, impulses", by_impulse, pressure, exact_margin(point.side));
-    add("two_balls_hits", "2 balls, hits", by_hits, pressure, exact_margin(point.side));
-    add("two_balls_collisions", "2 balls, collisions", collision_rate, rate, exact_rate_margin);
+    add({"two_balls_impulse", "2 balls, impulses"}, by_impulse, exact.wall_pressure(), margin);
+    add({"two_balls_hits", "2 balls, hits"}, by_hits, exact.wall_pressure(), margin);
+    add({"two_balls_collisions", "2 balls, collisions"}, collision_rate, exact.collision_rate(),
+        margins.two_collisions);
 }
 
-inline void add_cube(Findings& findings, StatePoint const& point,
-                     std::vector<Measurement> const& replicates) {
-    double const pressure = theory_of(point).total(), at = point.overall_density();
-    auto const impulse = [](Measurement const& replicate) { return replicate[by_impulse]; };
-    auto const bulk = [](Measurement const& replicate) {
-        return reference::modified_klm_pressure(replicate[bulk_density]).value;
+inline void enter_many(Ledger& ledger, StatePoint const& point,
+                       std::vector<Measurement> const& replicates, Margins const& margins) {
+    double const pressure = theory_of(point).total();
+    std::vector<std::string> const state{fmt::format("{:.4g}", point.overall_density())};
+    ledger.compare(state, {"cube_impulse", "$p$, impulses"},
+                   {.measured = mean_of(replicates, by_impulse),
+                    .reference = pressure,
+                    .reference_error = theory_error * pressure,
+                    .margin = margins.many * pressure});
+    auto const add = [&](Quantity const& quantity, auto const& difference, double const part) {
+        ledger.compare(state, quantity,
+                       {.measured = mean_of(replicates, difference), .margin = part * pressure});
     };
-    findings.add({"cube_impulse",
-                  "$p$, impulses",
-                  at,
-                  {.measured = mean_of(replicates, by_impulse),
-                   .reference = pressure,
-                   .reference_error = theory_error * pressure,
-                   .margin = margin * pressure}});
-    findings.add(
-        {"hits_minus_impulse",
-         "hits $-$ impulses",
-         at,
-         {.measured = difference(replicates, by_hits, impulse), .margin = margin * pressure}});
-    findings.add({"profile_minus_impulse",
-                  "profile $-$ impulses",
-                  at,
-                  {.measured = difference(replicates, by_profile, impulse),
-                   .margin = extrapolated_margin * pressure}});
-    findings.add({"middle_minus_bulk",
-                  "profile $-$ $P(\\rho_{\\mathrm b})$",
-                  at,
-                  {.measured = difference(replicates, over_the_middle, bulk),
-                   .margin = extrapolated_margin * pressure}});
+    add(
+        {"hits_minus_impulse", "hits $-$ impulses"},
+        [](Measurement const& m) { return m[by_hits] - m[by_impulse]; }, margins.many);
+    add(
+        {"profile_minus_impulse", "profile $-$ impulses"},
+        [](Measurement const& m) { return m[by_profile] - m[by_impulse]; }, margins.extrapolated);
+    add(
+        {"middle_minus_bulk", "profile $-$ $P(\\rho_{\\mathrm b})$"},
+        [](Measurement const& m) {
+            return m[over_the_middle] - reference::modified_klm_pressure(m[bulk_density]).value;
+        },
+        margins.extrapolated);
+}
+
+inline void enter(Ledger& ledger, StatePoint const& point,
+                  std::vector<Measurement> const& replicates, Margins const& margins) {
+    point.count == 2 ? enter_two(ledger, point, replicates, margins)
+                     : enter_many(ledger, point, replicates, margins);
 }
 
 } // namespace clack::validation::wall_pressure

@@ -24,12 +24,11 @@ Question const question{
     "work_precision",
     "What does one more correct digit cost with each method, where can it no longer be bought, "
     "and do the engine's floating types last as long as their rounding allows?",
-    "the collisions per ball until a run in a floating type departs from the oracle's: at least "
-    "95 % of those of the exact motion from a start whose numbers are off by one rounding unit, "
-    "and of those until such an error, grown in tangent space along the same run, decides whom "
-    "balls meet; gain from float to long double over that by the Lyapunov exponent: 1 +- 0.15, for "
-    "exponents "
-    "fluctuate over so few collisions"};
+    "horizon: 95 % of that of the exact motion from a start off by one rounding unit, and of that "
+    "until such an error, grown in tangent space along the same run, decides whom balls meet; gain "
+    "from float to long double over that by the Lyapunov exponent: 1 +- 0.15",
+    "exponents fluctuate over the few collisions per ball until a run in a floating type departs "
+    "from the oracle's"};
 
 std::vector<double> frame_steps(StatePoint const& point, Profile const profile) {
     std::vector<double> steps{0.3, 0.1, 0.03, 0.01};

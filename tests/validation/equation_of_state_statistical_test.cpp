@@ -19,7 +19,7 @@ namespace {
 
 StatePoint point_at(double const packing_fraction) {
     for (StatePoint const& point : state_points(Profile::quick))
-        if (point.run.packing_fraction == packing_fraction) return point;
+        if (point.packing_fraction == packing_fraction) return point;
     throw std::logic_error("no such point");
 }
 
@@ -35,12 +35,11 @@ std::vector<Measurement> replicates_of(StatePoint const& point, EngineMaker cons
 /// The verdict on one point when it is one of all.
 Verdict verdict_of(StatePoint const& point, std::vector<Measurement> const& replicates) {
     double const points = static_cast<double>(state_points(Profile::quick).size());
-    Findings findings("packing_fraction", "");
-    add_findings(findings, point, replicates, Profile::quick);
-    findings.judge({.false_alarm = Risks{}.false_alarm / points});
-    for (Finding const& finding : findings.all())
-        BOOST_TEST_MESSAGE(finding.comparison.name << ": z = " << finding.judgement.z);
-    return findings.verdict();
+    Ledger ledger({Key{"packing_fraction", ""}});
+    enter(ledger, point, replicates, Profile::quick);
+    ledger.judge({.false_alarm = Risks{}.false_alarm / points});
+    BOOST_TEST_MESSAGE(ledger.text());
+    return ledger.verdict();
 }
 
 } // namespace
@@ -57,7 +56,7 @@ BOOST_AUTO_TEST_CASE(temperature_of_n_instead_of_n_minus_1_balls_does_not_pass) 
     auto replicates = replicates_of(point, make_true_engine);
     BOOST_TEST((verdict_of(point, replicates) == Verdict::agrees));
     // kT = 2E/(3N) makes the kinetic part 1 and the collisional one larger by N/(N-1)
-    auto const n = static_cast<double>(point.run.count);
+    auto const n = static_cast<double>(point.count);
     for (Measurement& measurement : replicates)
         for (double& z : measurement) z = 1 + (z - 1 + 1 / n) * n / (n - 1);
     BOOST_TEST((verdict_of(point, replicates) == Verdict::differs));

@@ -5,12 +5,17 @@
 #include "validation/relaxation.hpp"
 #include "validation/self_diffusion.hpp"
 #include "validation/tonks_gas.hpp"
+#include "validation/transport.hpp"
 #include "validation/velocity_autocorrelation.hpp"
 
 #include "tests/validation/mutants.hpp"
 #include "validation/harness/seeds.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
 
 using namespace clack;
 using namespace clack::validation;
@@ -161,4 +166,51 @@ BOOST_AUTO_TEST_CASE(balls_that_swap_their_velocities_forget_them_at_once) {
     };
     BOOST_TEST((verdict_of(make_true_engine) != Verdict::differs));
     BOOST_TEST((verdict_of(mutant<PeriodicCube, mutants::SwappedVelocities>) == Verdict::differs));
+}
+
+BOOST_AUTO_TEST_CASE(neither_boltzmann_nor_balls_that_miss_each_other_pass_for_enskog) {
+    using namespace transport;
+    auto const points = state_points(Profile::quick);
+    StatePoint point = *std::find_if(points.begin(), points.end(), [](StatePoint const& p) {
+        return p.fluid.packing_fraction == judged_up_to;
+    });
+    point.production /= 2;
+    auto const ledger_of = [&](EngineMaker const& make) {
+        Ledger ledger({{"packing_fraction", ""}, {"count", ""}});
+        enter(ledger, point, replicates_of("transport", point, 8, [&](auto const& p, auto seed) {
+                  return measure(p, seed, make);
+              }));
+        ledger.judge(of_a_part);
+        BOOST_TEST_MESSAGE(ledger.text());
+        return ledger;
+    };
+    auto const truly = ledger_of(make_true_engine);
+    auto const missed = ledger_of(mutant<PeriodicCube, mutants::MissedHalf>);
+    for (std::string const quantity : {"shear", "conductivity"}) {
+        BOOST_TEST((truly.verdict(quantity) != Verdict::differs), quantity);
+        BOOST_TEST((truly.verdict(quantity + "_not_boltzmann") == Verdict::agrees), quantity);
+        BOOST_TEST((missed.verdict(quantity) == Verdict::differs), quantity);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(fluxes_of_few_balls_are_those_of_constant_energy_without_momentum) {
+    constexpr int count = 8, draws = 100'000;
+    std::mt19937_64 random(5);
+    std::normal_distribution<> normal;
+    std::vector<double> momentum, heat;
+    for (int draw = 0; draw < draws; ++draw) {
+        Eigen::Matrix3Xd v =
+            Eigen::Matrix3Xd::NullaryExpr(3, count, [&] { return normal(random); });
+        v.colwise() -= v.rowwise().mean().eval();
+        v *= std::sqrt((3 * count - 3) / v.squaredNorm());
+        double const momentum_flux = v.row(0).dot(v.row(1));
+        double const heat_flux = v.row(0).dot(v.colwise().squaredNorm());
+        momentum.push_back(momentum_flux * momentum_flux / count);
+        heat.push_back(heat_flux * heat_flux / (10 * count)); // less what momentum carries
+    }
+    // four standard errors each: a false alarm of 1e-4
+    auto const of_momentum = mean_of(momentum), of_heat = mean_of(heat);
+    BOOST_TEST(std::abs(of_momentum.value - reference::momentum_flux_of(count)) <
+               4 * of_momentum.error);
+    BOOST_TEST(std::abs(of_heat.value - reference::heat_flux_of(count)) < 4 * of_heat.error);
 }

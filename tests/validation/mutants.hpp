@@ -11,11 +11,11 @@
 
 namespace clack::mutants {
 
-/// Grazing collisions missed: a pair whose paths would pass within less than half a part in a
-/// hundred of the diameter's edge never touches, and nobody minds that it then overlaps.
-template <class Real> struct MissedGrazing : ElasticBalls<Real> {
+/// Collisions missed beyond a part of the diameter's square: a pair whose paths would pass one
+/// another farther out never touches, and nobody minds that it then overlaps.
+template <class Real, int percent> struct MissedBeyond : ElasticBalls<Real> {
     using ElasticBalls<Real>::ElasticBalls;
-    static constexpr double grazing = 0.99; // of b^2 over diameter^2
+    static constexpr double grazing = percent / 100.0; // of b^2 over diameter^2
 
     template <class Number> Number contact_time(Pair<Number> const& p) const {
         Number const cx = p.y * p.vz - p.z * p.vy, cy = p.z * p.vx - p.x * p.vz,
@@ -30,6 +30,9 @@ template <class Real> struct MissedGrazing : ElasticBalls<Real> {
         return std::min(this->squared, p.x * p.x + p.y * p.y + p.z * p.z);
     }
 };
+
+template <class Real> using MissedGrazing = MissedBeyond<Real, 99>;
+template <class Real> using MissedHalf = MissedBeyond<Real, 50>;
 
 /// Balls that swap their whole velocities. Energy, momentum and every law of equilibrium hold, the
 /// pressure included: only what happens on the way to it, and to single balls, is another.

@@ -26,42 +26,44 @@ StatePoint point_of(std::int64_t const count) {
 }
 
 /// The experiment's own seeds, so that the true engine's verdict is the one it has there.
-Findings findings_of(StatePoint const& point, EngineMaker const& make) {
+std::vector<Measurement> replicates_of(StatePoint const& point, EngineMaker const& make) {
     std::vector<Measurement> replicates;
     for (int replicate = 0; replicate < point.replicates; ++replicate)
         replicates.push_back(
             measure(point, seed_of("velocity_distribution", point.text(), replicate), make));
-    return find(point, replicates);
+    return replicates;
 }
 
 /// The verdict on one point when it is one of all.
-Verdict verdict_of(Findings const& findings) {
+constexpr std::int64_t count = 32;
+Verdict verdict_of(std::vector<Measurement> const& replicates) {
     double const points = static_cast<double>(state_points(Profile::quick).size());
-    for (GoodnessOfFit const& fit : findings.fits)
-        BOOST_TEST_MESSAGE(fit.name << ": p = " << fit.p_value);
-    BOOST_TEST_MESSAGE("fourth moment " << findings.fourth_moment.measured.value << ", theory "
-                                        << findings.fourth_moment.reference);
-    return judge_points({findings}, {.false_alarm = Risks{}.false_alarm / points}).front();
+    Ledger ledger({Key{"count", ""}});
+    enter(ledger, point_of(count), replicates);
+    ledger.judge({.false_alarm = Risks{}.false_alarm / points});
+    BOOST_TEST_MESSAGE(ledger.text());
+    return ledger.verdict();
 }
 
 } // namespace
 
 BOOST_AUTO_TEST_CASE(true_engine_passes_and_another_law_does_not) {
-    StatePoint const point = point_of(32);
-    Findings const findings = findings_of(point, make_true_engine);
-    BOOST_TEST((verdict_of(findings) == Verdict::agrees));
+    auto const replicates = replicates_of(point_of(count), make_true_engine);
+    BOOST_TEST((verdict_of(replicates) == Verdict::agrees));
 
-    // Maxwell and Boltzmann's law, and that of one ball more or less, are others.
-    Findings maxwell = findings;
-    maxwell.fourth_moment.reference = reference::MaxwellBoltzmann::fourth_moment_ratio;
-    BOOST_TEST((verdict_of(maxwell) == Verdict::differs));
+    // Maxwell and Boltzmann's law is another.
+    Ledger maxwell({Key{"count", ""}});
+    enter(maxwell, point_of(count), replicates);
+    Comparison moment = maxwell.entries().front().comparison;
+    moment.reference = reference::MaxwellBoltzmann::fourth_moment_ratio;
+    BOOST_TEST((judge({moment}).front().verdict == Verdict::differs));
     auto const limit = bin_probabilities(reference::MaxwellBoltzmann(1, 1));
-    BOOST_TEST(chi_square(findings.counts, limit).p_value < 1e-4);
+    BOOST_TEST(chi_square(counts_of(replicates), limit).p_value < 1e-4);
 }
 
 BOOST_AUTO_TEST_CASE(impulses_wrong_by_a_ten_thousandth_do_not_pass) {
-    Findings const findings = findings_of(point_of(32), with(Fault::weaker_impulses));
-    BOOST_TEST((verdict_of(findings) == Verdict::differs));
+    auto const replicates = replicates_of(point_of(count), with(Fault::weaker_impulses));
+    BOOST_TEST((verdict_of(replicates) == Verdict::differs));
 }
 
 namespace {
@@ -88,8 +90,8 @@ std::size_t values_shifted_with(EngineMaker const& make) {
 // Equilibrium forgives a start, so no gate against theory sees this one; false alarm of the true
 // engine: 1e-3.
 BOOST_AUTO_TEST_CASE(start_that_theory_forgives_shifts_from_the_baseline) {
-    Findings const findings = findings_of(point_of(32), with(Fault::unequal_speeds));
-    BOOST_TEST((verdict_of(findings) == Verdict::agrees));
+    auto const replicates = replicates_of(point_of(count), with(Fault::unequal_speeds));
+    BOOST_TEST((verdict_of(replicates) == Verdict::agrees));
     BOOST_TEST(values_shifted_with(make_true_engine) == 0);
     BOOST_TEST(values_shifted_with(with(Fault::unequal_speeds)) > 0);
 }

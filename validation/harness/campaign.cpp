@@ -180,9 +180,7 @@ double Campaign::seconds(std::string const& state_point) const {
 }
 
 Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const place) {
-    std::vector<double> values;
-    for (Measurement const& measurement : replicates) values.push_back(measurement.at(place));
-    return mean_of(values);
+    return mean_of(replicates, [=](Measurement const& values) { return values.at(place); });
 }
 
 std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path) {

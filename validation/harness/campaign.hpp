@@ -3,6 +3,7 @@
 
 #include "validation/harness/interval.hpp"
 
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -28,7 +29,7 @@ struct Task {
 
 /// The tasks of an experiment's state points: each has text() and replicates.
 ///   measure   takes a point and a seed
-template <class StatePoint, class MeasurePoint>
+template <class StatePoint, std::invocable<StatePoint, std::uint64_t> MeasurePoint>
 std::vector<Task> tasks_of(std::vector<StatePoint> const& points, MeasurePoint const& measure) {
     std::vector<Task> tasks;
     for (StatePoint const& point : points)
@@ -110,6 +111,14 @@ private:
 
 /// Mean over replicates of one of the values that each measured.
 Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t place);
+
+/// Mean over replicates of a function of what each measured.
+template <std::invocable<Measurement> Function>
+Estimate mean_of(std::vector<Measurement> const& replicates, Function const& function) {
+    std::vector<double> values;
+    for (Measurement const& measurement : replicates) values.push_back(function(measurement));
+    return mean_of(values);
+}
 
 /// The replicates in a campaign's file, by state point, in the order of their numbers.
 std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path);

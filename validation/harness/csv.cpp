@@ -9,6 +9,8 @@ namespace clack::validation {
 
 std::string cell(double const value) { return fmt::format("{}", value); }
 
+std::string percent(double const part) { return fmt::format("{:.3g} %", 100 * part); }
+
 void Csv::row(std::vector<std::string> cells) {
     if (cells.size() != columns_.size()) {
         throw std::invalid_argument(

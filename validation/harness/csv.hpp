@@ -12,6 +12,9 @@ std::string cell(double value);
 std::string cell(std::integral auto value) { return std::to_string(value); }
 inline std::string cell(std::string word) { return word; }
 
+/// A part of something, in per cent: "0.2 %".
+std::string percent(double part);
+
 /// Rows under named columns. A column's name ends in its unit where it has one.
 class Csv {
 public:

@@ -32,7 +32,7 @@ Experiment::Experiment(Question question, Options options)
 
 std::vector<std::string> Experiment::header() const {
     std::vector<std::string> lines = provenance(question_.stem, question_.text, options_);
-    lines.push_back("margin: " + question_.margin);
+    lines.push_back("margin: " + question_.margin + ": " + question_.reason);
     return lines;
 }
 
@@ -50,16 +50,15 @@ void Experiment::write_table(std::string const& tabular) const {
 
 void Experiment::conclude(Verdict const verdict) const {
     auto const points = campaign_.state_points().size();
-    std::string const margin = question_.margin.substr(0, question_.margin.find_first_of(",:;"));
     auto const worst = worst_z_judged();
     double const seconds = processor_seconds_in_all() + campaign_.seconds_recalled();
     Csv csv({"experiment", "state_points", "margin", "worst_z", "verdict", "processor_seconds"});
-    csv.row({question_.stem, cell(points), margin, worst ? cell(*worst) : "", name_of(verdict),
-             fmt::format("{:.1f}", seconds)});
+    csv.row({question_.stem, cell(points), question_.margin, worst ? cell(*worst) : "",
+             name_of(verdict), fmt::format("{:.1f}", seconds)});
     write(csv, "_verdict");
     write_file(options_.directory / (question_.stem + "_verdict.tex"),
                fmt::format("\\texttt{{{}}} & {} & {} & {} & {} & {} \\\\\n", in_tex(question_.stem),
-                           points, in_tex(margin), worst ? significant(*worst, 2) : "--",
+                           points, in_tex(question_.margin), worst ? significant(*worst, 2) : "--",
                            name_of(verdict), significant(seconds, 2)));
 }
 

@@ -18,8 +18,8 @@ namespace clack::validation {
 struct Question {
     std::string stem;   // the name of the experiment's source, data, plot script and figure
     std::string text;   // what is asked
-    std::string margin; // what difference would not matter; behind the first comma, colon or
-                        // semicolon why
+    std::string margin; // what difference would not matter, without commas
+    std::string reason; // why it would not
 };
 
 /// The run of an experiment: its options, its memory, and where its results go.

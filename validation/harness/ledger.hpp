@@ -21,6 +21,19 @@ struct Quantity {
     std::string symbol; // TeX
 };
 
+/// One line of the account.
+struct Entry {
+    enum class Kind { compared, guide, fit, bound } kind;
+    std::vector<std::string> state;
+    Quantity quantity;
+    Comparison comparison = {};
+    double p_value = 1; // of a fit
+    double z = 0, against = 0;
+    Verdict verdict = Verdict::undecided;
+
+    std::string word() const { return kind == Kind::guide ? "guide" : name_of(verdict); }
+};
+
 class Ledger {
 public:
     explicit Ledger(std::vector<Key> keys) : keys_(std::move(keys)) {}
@@ -37,8 +50,11 @@ public:
 
     /// Judges all: comparisons together and tests of fit together, each at the false alarm.
     void judge(Risks const& risks = {});
+    std::vector<Entry> const& entries() const { return entries_; }
     /// Of one quantity over all states, or of all.
     Verdict verdict(std::string const& quantity = "") const;
+    /// The largest |z| against agreement of all comparisons.
+    double largest_z() const;
 
     Csv csv() const;
     std::string table() const;
@@ -47,19 +63,6 @@ public:
     std::string text() const;
 
 private:
-    enum class Kind { compared, guide, fit, bound };
-    struct Entry {
-        Kind kind;
-        std::vector<std::string> state;
-        Quantity quantity;
-        Comparison comparison;
-        double p_value = 1; // of a fit
-        double z = 0;
-        Verdict verdict = Verdict::undecided;
-
-        std::string word() const { return kind == Kind::guide ? "guide" : name_of(verdict); }
-    };
-
     std::vector<Key> keys_;
     std::vector<Entry> entries_;
 };

@@ -66,8 +66,6 @@ Made in_periodic_cube(Fault const fault, Scene const& scene) {
         return make_wider(scene);
     case Fault::stronger_impulses:
         return of<PeriodicCube, mutants::StrongerImpulses>(scene);
-    case Fault::weaker_impulses:
-        return of<PeriodicCube, mutants::WeakerImpulses>(scene);
     case Fault::missed_collisions:
         return of<PeriodicCube, mutants::MissedCollisions>(scene);
     case Fault::late_collisions:

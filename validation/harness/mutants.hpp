@@ -9,7 +9,7 @@ namespace clack::validation {
 enum class Fault {
     wider_balls,        // by 0.1 % (periodic)
     stronger_impulses,  // by 1e-4 (periodic)
-    weaker_impulses,    // by 1e-4 (walls, periodic)
+    weaker_impulses,    // by 1e-4 (walls)
     missed_collisions,  // one in 10^4 (periodic)
     late_collisions,    // one in 10^5, by 1e-6 (periodic)
     earlier_normal,     // the line of centres 0.01 before contact (periodic)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace clack::validation {
 
@@ -16,26 +17,38 @@ namespace {
 std::optional<double> worst_z;
 constexpr double least_p = 1e-300; // of which there is still a deviate
 
-void note(double const z) { worst_z = std::max(std::abs(z), worst_z.value_or(0)); }
+void note(double const z) { worst_z = std::max(z, worst_z.value_or(0)); }
 
 /// z and the two p-values of one comparison alone.
 Judgement tested(Comparison const& comparison) {
     Estimate const& measured = comparison.measured;
     double const error = std::hypot(measured.error, comparison.reference_error);
-    if (!(comparison.margin > 0 && error > 0)) {
+    bool const has_margin = comparison.asks != Asks::whether_at_least;
+    if (!((comparison.margin > 0 || !has_margin) && error > 0)) {
         throw std::invalid_argument(fmt::format("{}: margin = {}, error = {}: must be positive",
                                                 comparison.name, comparison.margin, error));
     }
     double const difference = measured.value - comparison.reference;
     double const size = std::abs(difference);
-    double const freedom = measured.degrees_of_freedom;
+    auto const tail = [&](double const distance) {
+        return upper_tail(distance / error, measured.degrees_of_freedom);
+    };
     Judgement judgement;
     judgement.z = difference / error;
+    if (!has_margin) {
+        judgement.against = std::max(0.0, -judgement.z);
+        judgement.p_differs = tail(-difference);
+        judgement.p_agrees = tail(difference);
+        return judgement;
+    }
     // Both tails: a true difference at the margin can be exceeded on either side.
     judgement.p_differs =
-        std::min(1.0, upper_tail((size - comparison.margin) / error, freedom) +
-                          upper_tail((size + comparison.margin) / error, freedom));
-    judgement.p_agrees = upper_tail((comparison.margin - size) / error, freedom);
+        std::min(1.0, tail(size - comparison.margin) + tail(size + comparison.margin));
+    judgement.p_agrees = tail(comparison.margin - size);
+    if (comparison.asks == Asks::whether_apart)
+        std::swap(judgement.p_differs, judgement.p_agrees);
+    else
+        judgement.against = std::abs(judgement.z);
     return judgement;
 }
 
@@ -63,7 +76,7 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
     std::vector<double> const adjusted = holm(p_values);
     for (std::size_t k = 0; k < judgements.size(); ++k) {
         Judgement& judgement = judgements[k];
-        note(judgement.z);
+        if (judgement.against > 0) note(judgement.against);
         judgement.p_differs = adjusted[k];
         if (judgement.p_differs < risks.false_alarm) {
             judgement.verdict = Verdict::differs;

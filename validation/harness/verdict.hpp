@@ -18,6 +18,13 @@ enum class Verdict {
 
 char const* name_of(Verdict verdict);
 
+/// What is asked of a measured number and the one beside it.
+enum class Asks {
+    whether_near,     // is the difference smaller than the margin?
+    whether_at_least, // is the measured number no smaller? Without a margin.
+    whether_apart     // is the difference larger than the margin: what is wrong must not pass?
+};
+
 /// One measured number beside the theory's. The margin, a difference that would not matter, and
 /// its reason are fixed before the data exist.
 struct Comparison {
@@ -26,6 +33,7 @@ struct Comparison {
     double reference = 0;
     double reference_error = 0;
     double margin = 0;
+    Asks asks = Asks::whether_near;
 };
 
 /// The probabilities of a wrong verdict. Thirty families of comparisons, more than the quick
@@ -38,15 +46,17 @@ struct Risks {
 struct Judgement {
     Verdict verdict = Verdict::undecided;
     double z = 0;         // (measured - reference) in standard errors of the difference
-    double p_differs = 1; // Holm-adjusted p-value of "the difference is within the margin"
-    double p_agrees = 1;  // p-value of "the difference is the margin or more"
+    double against = 0;   // as much of |z| as speaks against agreement
+    double p_differs = 1; // Holm-adjusted p-value of "it is as asked"
+    double p_agrees = 1;  // p-value of "it is not"
 };
 
-/// Judges comparisons together: `differs` where "the difference is within the margin" is refused
-/// at `false_alarm` with Holm's correction over all; `agrees` where "it is the margin or more" is
-/// refused at `false_agreement` (two one-sided tests; D. J. Schuirmann, J. Pharmacokin. Biopharm.
-/// 15, 657 (1987)), each by Student's t.
-/// Throws std::invalid_argument unless every margin and every error is positive.
+/// Judges comparisons together: `differs` where "it is as asked" is refused at `false_alarm` with
+/// Holm's correction over all; `agrees` where "it is not" is refused at `false_agreement`, each by
+/// Student's t. Where nearness is asked for these are two one-sided tests (D. J. Schuirmann,
+/// J. Pharmacokin. Biopharm. 15, 657 (1987)).
+/// Throws std::invalid_argument unless every margin that is asked about and every error is
+/// positive.
 std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks const& risks = {});
 
 /// One test that can refuse a law but not confirm it.
@@ -60,8 +70,9 @@ struct GoodnessOfFit {
 /// law would be seen.
 std::vector<Verdict> judge(std::vector<GoodnessOfFit> const& tests, double false_alarm);
 
-/// The largest |z| that this program has judged so far, a p-value being worth the normal deviate
-/// that is as rare: for the summary that each experiment leaves. Nothing before the first.
+/// The largest |z| against agreement that this program has judged so far, a p-value being worth the
+/// normal deviate that is as rare: for the summary that each experiment leaves. Nothing before the
+/// first.
 std::optional<double> worst_z_judged();
 /// Begins again, for a program that judges what it knows to be wrong.
 void forget_judged();

@@ -71,8 +71,8 @@ BOOST_AUTO_TEST_CASE(blocked_intervals_of_correlated_series_cover_what_they_say)
 }
 
 BOOST_AUTO_TEST_CASE(blocked_intervals_of_real_runs_cover_what_they_say) {
-    PeriodicRun const run{0.2, 108, 30, 500};
-    double const truth = reference::periodic_compressibility(run.number_density(), run.count);
+    PeriodicRun const run{{0.2, 108}, 30, 500};
+    double const truth = run.expected();
     unsigned covered = 0, students = 0;
     std::vector<double> values;
     for (int replicate = 0; replicate < 100; ++replicate) {

@@ -1,14 +1,12 @@
 #include "reference/published_table.hpp"
 #include "state/errors.hpp"
 #include "validation/harness/experiment.hpp"
-#include "validation/harness/findings.hpp"
+#include "validation/harness/ledger.hpp"
 
 #include "tests/validation/harness/temporary_directory.hpp"
 
 #include <boost/test/unit_test.hpp>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -17,7 +15,7 @@ using namespace clack::validation;
 
 namespace {
 
-Question const question{"demo", "does two and two make four?", "none: it is arithmetic"};
+Question const question{"demo", "does two and two make four?", "none", "it is arithmetic"};
 
 int run_with(std::vector<char const*> arguments, std::function<Verdict(Experiment&)> const& ask) {
     arguments.insert(arguments.begin(), "demo");
@@ -83,7 +81,7 @@ BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
     std::string const csv = text_of(directory.path / "demo.csv");
     for (char const* line :
          {"# experiment: demo", "# question: does two", "# profile: quick", "# commit: ",
-          "# program: ", "# compiler: ", "# machine: ", "# seeds: ", "# margin: none"})
+          "# program: ", "# compiler: ", "# machine: ", "# seeds: ", "# margin: none: it is"})
         BOOST_TEST(csv.find(line) != std::string::npos, line);
     reference::PublishedTable const table(directory.path / "demo_again.csv");
     BOOST_TEST(table.column("doubled").at(0) == 4);
@@ -94,32 +92,34 @@ BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
                    .starts_with("\\texttt{demo} & 0 & none & -- & agrees & "));
 }
 
-BOOST_AUTO_TEST_CASE(findings_are_judged_together_and_left_behind) {
+BOOST_AUTO_TEST_CASE(ledger_is_judged_together_and_left_behind) {
     TemporaryDirectory const directory("experiment");
-    auto const concluded = [&](double const measured, Verdict const required) {
+    auto const concluded = [&](double const measured, double const to_be_told_apart) {
         Options options;
         options.directory = directory.path;
         Experiment experiment(question, options);
-        Findings findings("sum", "$s$");
-        findings.add(
-            {"four", "$4$", 2, {.measured = {4, 0.0078125}, .reference = 4, .margin = 0.125}});
-        findings.add({"five",
-                      "$5$",
-                      3,
-                      {.measured = {measured, 0.0078125}, .reference = 5, .margin = 0.125}});
-        findings.require(required);
-        return findings.conclude(experiment, "Demo");
+        Ledger ledger({Key{"sum", "$s$"}});
+        ledger.compare({"2"}, {"four", "$4$"},
+                       {.measured = {4, 0.0078125}, .reference = 4, .margin = 0.125});
+        ledger.compare({"3"}, {"five", "$5$"},
+                       {.measured = {measured, 0.0078125}, .reference = 5, .margin = 0.125});
+        ledger.compare({"4"}, {"six", "$6$"},
+                       {.measured = {6, 0.0078125},
+                        .reference = to_be_told_apart,
+                        .margin = 0.125,
+                        .asks = Asks::whether_apart});
+        ledger.guide({"5"}, {"seven", "$7$"}, {.measured = {8, 0.0078125}, .reference = 7});
+        return conclude(experiment, ledger, Macros("Demo"));
     };
-    BOOST_TEST((concluded(5.02, Verdict::agrees) == Verdict::agrees));
-    BOOST_TEST((concluded(5.125, Verdict::agrees) == Verdict::undecided));
-    BOOST_TEST((concluded(5.02, Verdict::differs) == Verdict::differs));
-    BOOST_TEST((concluded(5.25, Verdict::agrees) == Verdict::differs));
-    auto const text = [&](char const* name) {
-        std::ifstream file(directory.path / name);
-        return std::string(std::istreambuf_iterator<char>(file), {});
-    };
-    BOOST_TEST(text("demo.csv").find("five,3,5.25,0.0078125,5,0,0.125,32,differs") !=
+    BOOST_TEST((concluded(5.02, 7) == Verdict::agrees));
+    BOOST_TEST((concluded(5.125, 7) == Verdict::undecided));
+    BOOST_TEST((concluded(5.02, 6) == Verdict::differs));
+    BOOST_TEST((concluded(5.25, 7) == Verdict::differs));
+    auto const text = [&](char const* name) { return text_of(directory.path / name); };
+    BOOST_TEST(text("demo.csv").find("3,five,5.25,0.0078125,5,0,0.125,32,nan,differs") !=
                std::string::npos);
     BOOST_TEST(text("demo.tex").find("\\DemoVerdict}{differs}") != std::string::npos);
-    BOOST_TEST(text("demo_table.tex").find("$5$ & 3 & $5.2500(78)$") != std::string::npos);
+    BOOST_TEST(text("demo.tex").find("\\DemoLargestZ}{32}") != std::string::npos);
+    BOOST_TEST(text("demo_table.tex").find("3 & $5$ & 5.2500(78) & 5 & 0.12 & $+32.0$ & differs") !=
+               std::string::npos);
 }

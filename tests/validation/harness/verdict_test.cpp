@@ -90,6 +90,27 @@ BOOST_AUTO_TEST_CASE(comparison_without_margin_or_error_is_refused) {
     BOOST_CHECK_THROW(judge({Comparison{"x", {1, NAN}, 1, 0, 1}}), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(what_must_be_told_apart_agrees_only_where_it_is) {
+    auto const verdict = [](double const difference, double const error) {
+        Comparison const apart{"x", {5 + difference, error}, 5, 0, 1, Asks::whether_apart};
+        return judge({apart}, one_percent)[0].verdict;
+    };
+    BOOST_TEST((verdict(2, 0.25) == Verdict::agrees));
+    BOOST_TEST((verdict(0, 0.25) == Verdict::differs)); // would pass for what it must not be
+    BOOST_TEST((verdict(2, 2) == Verdict::undecided));
+}
+
+BOOST_AUTO_TEST_CASE(at_least_has_no_upper_end) {
+    auto const judged = [](double const value) {
+        return judge({Comparison{"x", {value, 0.25}, 5, 0, 0, Asks::whether_at_least}})[0];
+    };
+    BOOST_TEST((judged(1e9).verdict == Verdict::agrees));
+    BOOST_TEST(judged(1e9).against == 0); // being better than asked for is no deviation
+    BOOST_TEST((judged(5).verdict == Verdict::undecided));
+    BOOST_TEST((judged(3).verdict == Verdict::differs));
+    BOOST_TEST(judged(3).against == 8);
+}
+
 BOOST_AUTO_TEST_CASE(law_is_refused_by_a_small_p_value_after_holm) {
     auto const one = judge({GoodnessOfFit{"a", 0.006}}, 0.01);
     BOOST_TEST((one[0] == Verdict::differs));
