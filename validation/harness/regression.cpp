@@ -11,9 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 
 namespace clack::validation {
@@ -98,6 +101,24 @@ void write_baseline(std::filesystem::path const& path, std::vector<Known> const&
         text += fmt::format("{}|{}|{}|{}|{}|{}|{}\n", known.experiment, known.state_point,
                             known.place, known.mean, known.error, known.replicates, known.version);
     write_file(path, text);
+}
+
+std::vector<Known> missing_from(std::vector<Known> const& others,
+                                std::vector<Known> const& values) {
+    std::set<Label> there;
+    for (Known const& known : others) there.insert(label_of(known));
+    std::vector<Known> missing;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(missing),
+                 [&](Known const& known) { return !there.contains(label_of(known)); });
+    return missing;
+}
+
+std::string profile_of(std::filesystem::path const& table) {
+    constexpr std::string_view mark = "# profile: ";
+    std::ifstream file(table);
+    for (std::string line; std::getline(file, line) && line.starts_with('#');)
+        if (line.starts_with(mark)) return line.substr(mark.size());
+    return "";
 }
 
 std::vector<Shift> shifts(std::vector<Known> const& before, std::vector<Known> const& now) {

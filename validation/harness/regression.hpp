@@ -27,6 +27,12 @@ std::vector<Known> read_baseline(std::filesystem::path const& path);
 void write_baseline(std::filesystem::path const& path, std::vector<Known> const& values,
                     std::vector<std::string> const& header);
 
+/// Those of `values` of which `others` have no counterpart.
+std::vector<Known> missing_from(std::vector<Known> const& others, std::vector<Known> const& values);
+
+/// The profile that a table's provenance names; nothing where the table is not there.
+std::string profile_of(std::filesystem::path const& table);
+
 /// A value now beside the baseline's.
 struct Shift {
     Known before, now;

@@ -10,7 +10,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
+#include <map>
 
 namespace clack::validation {
 
@@ -53,22 +55,53 @@ std::size_t tell(std::vector<Shift> const& all, std::string const& directory) {
     return shifted;
 }
 
-int compare(Request const& request) {
-    std::vector<Known> const now = measured_now(request);
-    std::vector<Known> before;
-    if (!request.renew || std::filesystem::exists(request.baseline))
-        before = read_baseline(request.baseline);
+/// Of the experiments that are compared; of the others nothing is said.
+std::vector<Known> baseline_of(Request const& request) {
+    if (request.renew && !std::filesystem::exists(request.baseline)) return {};
+    std::vector<Known> before = read_baseline(request.baseline);
+    std::erase_if(before, [&](Known const& known) {
+        return std::find(request.stems.begin(), request.stems.end(), known.experiment) ==
+               request.stems.end();
+    });
+    return before;
+}
 
+/// Two profiles have no state points in common, or have them with other lengths.
+void require_profile(Request const& request) {
+    std::string const wanted = profile_of(request.baseline);
+    for (std::string const& stem : request.stems) {
+        auto const measured =
+            profile_of(std::filesystem::path(request.directory) / (stem + "_verdict.csv"));
+        if (!wanted.empty() && !measured.empty() && measured != wanted)
+            throw InputError(fmt::format("{}: {} is of the profile {}, the baseline {} of {}: "
+                                         "measure that one",
+                                         request.directory, stem, measured, request.baseline,
+                                         wanted));
+    }
+}
+
+/// One line for each state point of these values.
+void tell(std::vector<Known> const& values, char const* const what) {
+    std::map<std::pair<std::string, std::string>, int> counts;
+    for (Known const& known : values) ++counts[{known.experiment, known.state_point}];
+    for (auto const& [point, count] : counts)
+        std::cout << fmt::format("{}: {} {}: {} values\n", what, point.first, point.second, count);
+}
+
+int compare(Request const& request) {
+    require_profile(request);
+    std::vector<Known> const now = measured_now(request), before = baseline_of(request);
     auto const all = shifts(before, now);
     if (all.empty() && !request.renew)
-        throw InputError(fmt::format("{}: holds nothing that {} has: the baseline is of the quick "
-                                     "profile; measure that first",
+        throw InputError(fmt::format("{}: holds nothing that {} has: measure the experiments first",
                                      request.baseline, request.directory));
     std::size_t const shifted = tell(all, request.directory);
-    std::cout << fmt::format("{} values compared, {} shifted; {} of the baseline's {} not measured "
-                             "now, {} new\n",
-                             all.size(), shifted, before.size() - all.size(), before.size(),
-                             now.size() - all.size());
+    auto const lost = missing_from(now, before), added = missing_from(before, now);
+    tell(lost, "in the baseline, not measured now");
+    tell(added, "measured now, not in the baseline");
+    std::cout << fmt::format("{} values compared, {} shifted; {} of the baseline not measured now, "
+                             "{} new\n",
+                             all.size(), shifted, lost.size(), added.size());
     if (request.renew) {
         auto header = provenance("all that are judged by chance",
                                  "has a change of the code shifted anything?", {});
@@ -77,7 +110,7 @@ int compare(Request const& request) {
         std::cout << fmt::format("{}: {} values written\n", request.baseline, now.size());
         return 0;
     }
-    return shifted > 0 ? 1 : 0;
+    return shifted > 0 || !lost.empty() ? 1 : 0;
 }
 
 } // namespace

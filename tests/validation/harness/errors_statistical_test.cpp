@@ -114,3 +114,13 @@ BOOST_AUTO_TEST_CASE(value_without_scatter_shifts_when_it_differs) {
     other.state_point = "x=2";
     BOOST_TEST(shifts({known}, {other}).empty());
 }
+
+BOOST_AUTO_TEST_CASE(value_of_one_side_only_is_missing_from_the_other) {
+    Known const known{"demo", "x=1", 0, 2, 0, 16, "1"};
+    Known other = known;
+    other.place = 1;
+    BOOST_TEST(missing_from({known}, {known}).empty());
+    auto const missing = missing_from({known}, {known, other});
+    BOOST_REQUIRE(missing.size() == 1);
+    BOOST_TEST(missing.front().place == 1);
+}
