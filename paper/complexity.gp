@@ -3,7 +3,7 @@
 height = 9.2
 load 'paper/style.gp'
 
-costs = data . '/complexity.csv'
+costs = data . '/complexity_costs.csv'
 methods = 'table heap fast'
 style(k) = k == 1 ? 1 : k == 2 ? 3 : 2
 only(method, quantity, y) = strcol(1) eq method && strcol(2) eq quantity ? y : NaN

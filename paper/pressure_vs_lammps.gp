@@ -3,7 +3,7 @@
 height = 7.2
 load 'paper/style.gp'
 
-points = data . '/pressure_vs_lammps.csv'
+points = data . '/pressure_vs_lammps_values.csv'
 percent(z, theory) = 100 * (z / theory - 1)
 of(packing, y) = $1 == packing ? y : NaN
 beside(k, packing) = k * (packing == 0.2 ? 0.93 : 1.07)

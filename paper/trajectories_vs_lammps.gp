@@ -4,7 +4,7 @@
 height = 12.6
 load 'paper/style.gp'
 
-points = data . '/trajectories_vs_lammps.csv'
+points = data . '/trajectories_vs_lammps_distances.csv'
 prefix = data . '/trajectories_vs_lammps_prefix.csv'
 of(packing, y) = $1 == packing ? y : NaN
 # 27, 100 and 1000 balls stand beside each other.

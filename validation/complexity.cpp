@@ -2,12 +2,11 @@
 
 #include "validation/complexity.hpp"
 
-#include "validation/harness/experiment.hpp"
+#include "validation/harness/ledger.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
-#include <iostream>
 
 namespace clack::validation {
 
@@ -23,18 +22,15 @@ Question const question{
     "below half the distance of the integers in question it belongs to one of them alone, and the "
     "caches have room"};
 
-constexpr std::array quantities{Quantity::start, Quantity::collision};
+constexpr std::array all_work{Work::start, Work::collision};
 
-char const* name_of(Quantity const quantity) {
-    return quantity == Quantity::start ? "start" : "collision";
-}
+char const* name_of(Work const quantity) { return quantity == Work::start ? "start" : "collision"; }
 
 /// A method's start or collision with all that was found out about it.
 struct Row {
     std::size_t ladder;
-    Quantity quantity;
+    Work quantity;
     Comparison exponent;
-    Judgement judged;
     std::vector<Estimate> costs; // mean over the sweeps, smallest size first
     Power power;                 // fitted to them
 };
@@ -44,34 +40,27 @@ std::vector<Row> measured(Plan const& plan, Experiment& experiment) {
         plan.text(), plan.replicates,
         [&](std::uint64_t const seed) { return measure(plan, seed); });
     std::vector<Row> rows;
-    std::vector<Comparison> comparisons;
     for (std::size_t ladder = 0; ladder < plan.ladders.size(); ++ladder) {
         auto const& counts = plan.counts(plan.ladders[ladder].largest);
-        for (Quantity const quantity : quantities) {
-            Row row{ladder, quantity, compare(plan, ladder, quantity, sweeps), {}, {}, {}};
-            std::vector<std::vector<double>> by_size(counts.size());
-            for (Measurement const& sweep : sweeps) {
-                auto const costs = costs_of(plan, ladder, quantity, sweep);
-                for (std::size_t k = 0; k < counts.size(); ++k) by_size[k].push_back(costs[k]);
-            }
+        for (Work const quantity : all_work) {
+            Row row{ladder, quantity, compare(plan, ladder, quantity, sweeps), {}, {}};
             std::vector<double> means;
-            for (auto const& costs : by_size) {
-                row.costs.push_back(mean_of(costs));
+            for (std::size_t k = 0; k < counts.size(); ++k) {
+                row.costs.push_back(mean_of(sweeps, [&](Measurement const& sweep) {
+                    return costs_of(plan, ladder, quantity, sweep)[k];
+                }));
                 means.push_back(row.costs.back().value);
             }
             row.power = fit_power(plan.counts(plan.largest_fitted), means);
-            comparisons.push_back(row.exponent);
             rows.push_back(row);
         }
     }
-    auto const judgements = judge(comparisons, of_timing);
-    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].judged = judgements[k];
     return rows;
 }
 
 Csv csv_of(Plan const& plan, std::vector<Row> const& rows) {
     Csv csv({"method", "quantity", "count", "cpu_seconds", "cpu_seconds_error", "cpu_seconds_fit",
-             "exponent", "exponent_error", "exponent_expected", "verdict"});
+             "exponent", "exponent_error", "exponent_expected"});
     for (Row const& row : rows) {
         Ladder const& ladder = plan.ladders[row.ladder];
         auto const counts = plan.counts(ladder.largest);
@@ -80,21 +69,9 @@ Csv csv_of(Plan const& plan, std::vector<Row> const& rows) {
                      cell(row.costs[k].value), cell(row.costs[k].error),
                      cell(row.power.at(static_cast<double>(counts[k]))),
                      cell(row.exponent.measured.value), cell(row.exponent.measured.error),
-                     cell(row.exponent.reference), name_of(row.judged.verdict)});
+                     cell(row.exponent.reference)});
     }
     return csv;
-}
-
-std::string table_of(Plan const& plan, std::vector<Row> const& rows) {
-    std::vector<std::vector<std::string>> cells;
-    for (Row const& row : rows) {
-        Ladder const& ladder = plan.ladders[row.ladder];
-        cells.push_back({fmt::format("\\texttt{{{}}}", name_of(ladder.method)),
-                         name_of(row.quantity), with_error(row.exponent.measured),
-                         fmt::format("{:.0f}", row.exponent.reference),
-                         name_of(row.judged.verdict)});
-    }
-    return tabular("lllrl", {"method", "of a", "exponent", "expected", "verdict"}, cells);
 }
 
 std::string capitalised(std::string word) {
@@ -102,15 +79,12 @@ std::string capitalised(std::string word) {
     return word;
 }
 
-Macros macros_of(Plan const& plan, std::vector<Row> const& rows, Profile const profile,
-                 Verdict const verdict) {
+Macros macros_of(Plan const& plan, std::vector<Row> const& rows) {
     Macros macros("Complexity");
-    macros.define("Profile", name_of(profile));
     macros.define("PackingFraction", fmt::format("{}", plan.packing_fraction));
     macros.define("Sweeps", fmt::format("{}", plan.replicates));
     macros.define("LargestFittedCount", fmt::format("{}", plan.largest_fitted));
     macros.define("Margin", fmt::format("{}", margin));
-    macros.define("Verdict", name_of(verdict));
     for (Row const& row : rows) {
         Ladder const& ladder = plan.ladders[row.ladder];
         std::string const name =
@@ -129,20 +103,12 @@ Macros macros_of(Plan const& plan, std::vector<Row> const& rows, Profile const p
 Verdict ask(Experiment& experiment) {
     Plan const sizes = plan(experiment.profile());
     std::vector<Row> const rows = measured(sizes, experiment);
-    std::vector<Judgement> judgements;
-    for (Row const& row : rows) {
-        judgements.push_back(row.judged);
-        std::cout << fmt::format(
-            "{:5} {:9}: exponent {:<10} expected {:.0f}, {:.2g} us at {} balls  {}\n",
-            name_of(sizes.ladders[row.ladder].method), name_of(row.quantity),
-            with_error(row.exponent.measured), row.exponent.reference, 1e6 * row.costs.back().value,
-            sizes.ladders[row.ladder].largest, name_of(row.judged.verdict));
-    }
-    Verdict const verdict = together(judgements);
-    experiment.write(csv_of(sizes, rows));
-    experiment.write(macros_of(sizes, rows, experiment.profile(), verdict));
-    experiment.write_table(table_of(sizes, rows));
-    return verdict;
+    Ledger ledger({{"method", "method"}, {"of_a", "of a"}});
+    for (Row const& row : rows)
+        ledger.compare({name_of(sizes.ladders[row.ladder].method), name_of(row.quantity)},
+                       {"exponent", "exponent"}, row.exponent);
+    experiment.write(csv_of(sizes, rows), "_costs");
+    return conclude(experiment, ledger, macros_of(sizes, rows), of_timing);
 }
 
 } // namespace

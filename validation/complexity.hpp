@@ -160,11 +160,11 @@ inline Power fit_power(std::vector<std::int64_t> const& counts, std::vector<doub
     return {line.slope, std::exp(line.at_0)};
 }
 
-enum class Quantity : std::size_t { start, collision };
+enum class Work : std::size_t { start, collision };
 
 /// The costs of one ladder in one sweep, smallest size first.
-inline std::vector<double> costs_of(Plan const& plan, std::size_t const ladder,
-                                    Quantity const quantity, Measurement const& sweep) {
+inline std::vector<double> costs_of(Plan const& plan, std::size_t const ladder, Work const quantity,
+                                    Measurement const& sweep) {
     std::size_t first = static_cast<std::size_t>(quantity);
     for (std::size_t k = 0; k < ladder; ++k)
         first += 2 * plan.counts(plan.ladders[k].largest).size();
@@ -176,7 +176,7 @@ inline std::vector<double> costs_of(Plan const& plan, std::size_t const ladder,
 
 /// The exponent of one ladder over all sweeps beside the one it should have. Each sweep is fitted
 /// on its own, so the error holds what changes from sweep to sweep.
-inline Comparison compare(Plan const& plan, std::size_t const ladder, Quantity const quantity,
+inline Comparison compare(Plan const& plan, std::size_t const ladder, Work const quantity,
                           std::vector<Measurement> const& sweeps) {
     Ladder const& expected = plan.ladders[ladder];
     std::vector<double> exponents;
@@ -184,7 +184,7 @@ inline Comparison compare(Plan const& plan, std::size_t const ladder, Quantity c
         exponents.push_back(
             fit_power(plan.counts(plan.largest_fitted), costs_of(plan, ladder, quantity, sweep))
                 .exponent);
-    bool const start = quantity == Quantity::start;
+    bool const start = quantity == Work::start;
     return {.name = fmt::format("{} {}", name_of(expected.method), start ? "start" : "collision"),
             .measured = mean_of(exponents),
             .reference = start ? expected.start_power : expected.collision_power,

@@ -38,15 +38,13 @@ std::string table_of(std::vector<StatePoint> const& points, Ledger const& ledger
     std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k < points.size(); ++k) {
         Entry const* const at = &ledger.entries()[kinds * k];
-        std::vector<Verdict> verdicts;
-        for (std::size_t kind = 0; kind < kinds; ++kind) verdicts.push_back(at[kind].verdict);
         std::vector<std::string> row{
             fmt::format("{:.2f}", points[k].packing_fraction), cell(points[k].count),
             with_error(infinite(points[k], at->comparison)),
             fmt::format("{:.5f}", points[k].expected_of_infinitely_many())};
         for (std::size_t kind = 0; kind < 3; ++kind)
             row.push_back(fmt::format("${:+.1f}$", at[kind].z));
-        row.emplace_back(name_of(together(verdicts)));
+        row.emplace_back(name_of(ledger.verdict_at(at->state)));
         rows.push_back(row);
     }
     return tabular("rrlrrrrl",

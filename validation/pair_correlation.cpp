@@ -17,7 +17,7 @@ Question const question{
     "compressibility?",
     fmt::format(
         "{} of the contact value for itself; {} for the dilute g(r); {} for the dense one; {} "
-        "for long waves (full profile {} and {} and {} and {})",
+        "for long waves (full profile {}, {}, {} and {})",
         percent(quick.contact), percent(quick.dilute), percent(quick.mended), percent(quick.waves),
         percent(full.contact), percent(full.dilute), percent(full.mended), percent(full.waves)),
     "several standard errors where the profile or the waves are extrapolated; what the authors "

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace clack::validation {
 
@@ -24,40 +23,30 @@ Question const question{
     "1.5 % of the collisional part Zc (full profile 0.5 %)",
     "half (a third) of what softness does to balls that are not widened, where it does least"};
 
-/// A state point with all that was found out about it.
+/// A state point and what was measured there.
 struct Row {
     StatePoint point;
     std::vector<Measurement> replicates;
-    std::vector<Comparison> comparisons;
-    std::vector<Judgement> judgements;
 
-    Estimate mean(std::size_t const place) const { return mean_of(values_at(replicates, place)); }
+    Estimate mean(std::size_t const place) const { return mean_of(replicates, place); }
     Estimate hard() const { return mean(0); }
+    Estimate soft(std::size_t const stiffness) const {
+        return hardened(point, replicates, stiffness);
+    }
 };
 
 std::vector<Row> measured(Experiment& experiment) {
     std::string const deck = reference::lammps_deck("lammps_periodic.in");
     std::vector<Row> rows;
-    std::vector<Comparison> all;
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        auto const replicates = experiment.campaign().replicates(
-            point.text(deck), point.replicates,
-            [&](std::uint64_t const seed) { return measure(point, seed, deck); });
-        rows.push_back(
-            {point, replicates, comparisons(point, replicates, margin(experiment.profile())), {}});
-        all.insert(all.end(), rows.back().comparisons.begin(), rows.back().comparisons.end());
-    }
-    auto const judgements = judge(all, risks);
-    auto judgement = judgements.cbegin();
-    for (Row& row : rows) {
-        auto const count = static_cast<std::ptrdiff_t>(row.comparisons.size());
-        row.judgements.assign(judgement, judgement + count);
-        judgement += count;
-    }
+    for (StatePoint const& point : state_points(experiment.profile()))
+        rows.push_back({point, experiment.campaign().replicates(
+                                   point.text(deck), point.replicates, [&](std::uint64_t seed) {
+                                       return measure(point, seed, deck);
+                                   })});
     return rows;
 }
 
-Csv csv_of(std::vector<Row> const& rows) {
+Csv csv_of(std::vector<Row> const& rows, Profile const profile) {
     Csv csv({"packing_fraction", "count", "stiffness", "Z_plain", "Z_plain_error", "kT_plain",
              "Z_plain_theory", "Z_widened", "Z_widened_error", "kT_widened", "Z_hardened",
              "Z_hardened_error", "Z_clack", "Z_clack_error", "Z_theory", "margin"});
@@ -65,7 +54,7 @@ Csv csv_of(std::vector<Row> const& rows) {
         for (std::size_t k = 0; k < row.point.stiffnesses.size(); ++k) {
             double const stiffness = row.point.stiffnesses[k];
             std::size_t const plain = place_of(k, Width::plain), wide = place_of(k, Width::widened);
-            Estimate const hardened_z = mean_of(hardened(row.point, row.replicates, k));
+            Estimate const hardened_z = row.soft(k);
             double const kt = row.mean(plain + 1).value;
             csv.row({cell(row.point.packing_fraction), cell(row.point.count), cell(stiffness),
                      cell(row.mean(plain).value), cell(row.mean(plain).error), cell(kt),
@@ -73,29 +62,30 @@ Csv csv_of(std::vector<Row> const& rows) {
                      cell(row.mean(wide).error), cell(row.mean(wide + 1).value),
                      cell(hardened_z.value), cell(hardened_z.error), cell(row.hard().value),
                      cell(row.hard().error), cell(row.point.theory()),
-                     cell(row.comparisons.front().margin)});
+                     cell(margin(profile) * (row.point.theory() - 1))});
         }
     }
     return csv;
 }
 
-std::string table_of(std::vector<Row> const& rows) {
+std::string table_of(std::vector<Row> const& rows, Ledger const& ledger) {
     std::vector<std::vector<std::string>> cells;
     for (Row const& row : rows) {
         for (std::size_t k = 0; k < row.point.stiffnesses.size(); ++k) {
-            bool const judged = k >= row.point.first_judged;
-            std::size_t const to_theory = 1 + 2 * (k - row.point.first_judged);
+            std::vector<std::string> const state{cell(row.point.packing_fraction),
+                                                 cell(row.point.stiffnesses[k])};
+            auto const& all = ledger.entries();
+            auto const judged = std::find_if(
+                all.begin(), all.end(), [&](Entry const& entry) { return entry.state == state; });
             std::vector<std::string> cells_of_row{
                 fmt::format("{:.1f}", row.point.packing_fraction),
                 significant(row.point.stiffnesses[k], 2),
                 with_error(row.mean(place_of(k, Width::plain))),
-                with_error(mean_of(hardened(row.point, row.replicates, k))),
+                with_error(row.soft(k)),
                 with_error(row.hard()),
                 fmt::format("{:.4f}", row.point.theory()),
-                judged ? fmt::format("${:+.1f}$", row.judgements[to_theory].z) : "",
-                judged ? name_of(together({row.judgements[to_theory].verdict,
-                                           row.judgements[to_theory + 1].verdict}))
-                       : "(soft)"};
+                judged == all.end() ? "" : fmt::format("${:+.1f}$", judged->z),
+                judged == all.end() ? "(soft)" : name_of(ledger.verdict_at(state))};
             cells.push_back(cells_of_row);
         }
     }
@@ -105,51 +95,36 @@ std::string table_of(std::vector<Row> const& rows) {
         cells);
 }
 
-Macros macros_of(std::vector<Row> const& rows, Profile const profile, Verdict const verdict) {
-    double largest_z = 0, deviation = 0, plain = 0;
+Macros macros_of(std::vector<Row> const& rows, Profile const profile) {
+    double deviation = 0, plain = 0;
     for (Row const& row : rows) {
         double const theory = row.point.theory();
         for (std::size_t k = row.point.first_judged; k < row.point.stiffnesses.size(); ++k) {
-            largest_z = std::max(largest_z,
-                                 std::abs(row.judgements[1 + 2 * (k - row.point.first_judged)].z));
-            deviation = std::max(
-                deviation,
-                std::abs(mean_of(hardened(row.point, row.replicates, k)).value / theory - 1));
+            deviation = std::max(deviation, std::abs(row.soft(k).value / theory - 1));
             plain =
                 std::max(plain, std::abs(row.mean(place_of(k, Width::plain)).value / theory - 1));
         }
     }
     Macros macros("PressureVsLammps");
-    macros.define("Profile", name_of(profile));
     macros.define("Balls", cell(rows.front().point.count));
     macros.define("Softest", significant(rows.front().point.stiffnesses.front(), 1));
     macros.define("SoftestJudged",
                   significant(rows.front().point.stiffnesses[rows.front().point.first_judged], 1));
     macros.define("Hardest", significant(rows.front().point.stiffnesses.back(), 2));
-    macros.define("LargestZ", significant(largest_z, 2));
     macros.define("LargestDeviationPercent", significant(100 * deviation, 2));
     macros.define("LargestPlainPercent", significant(100 * plain, 2));
     macros.define("MarginPercent", significant(100 * margin(profile), 2));
-    macros.define("Verdict", name_of(verdict));
     return macros;
 }
 
 Verdict ask(Experiment& experiment) {
     std::vector<Row> const rows = measured(experiment);
-    std::vector<Judgement> all;
-    for (Row const& row : rows) {
-        all.insert(all.end(), row.judgements.begin(), row.judgements.end());
-        for (std::size_t k = 0; k < row.comparisons.size(); ++k) {
-            Comparison const& c = row.comparisons[k];
-            std::cout << fmt::format("{}: Z = {:<12} expected {:.4f} +- {:.4f}: z = {:+.1f}  {}\n",
-                                     c.name, with_error(c.measured), c.reference, c.margin,
-                                     row.judgements[k].z, name_of(row.judgements[k].verdict));
-        }
-    }
-    Verdict const verdict = together(all);
-    experiment.write(csv_of(rows));
-    experiment.write(macros_of(rows, experiment.profile(), verdict));
-    experiment.write_table(table_of(rows));
+    Profile const profile = experiment.profile();
+    Ledger ledger({{"packing_fraction", "$\\eta$"}, {"stiffness", "$k$"}});
+    for (Row const& row : rows) enter(ledger, row.point, row.replicates, margin(profile));
+    Verdict const verdict = conclude(experiment, ledger, macros_of(rows, profile), risks);
+    experiment.write(csv_of(rows, profile), "_values");
+    experiment.write_table(table_of(rows, ledger));
     return verdict;
 }
 

@@ -8,11 +8,9 @@
 #include "reference/lammps.hpp"
 #include "reference/lammps_files.hpp"
 #include "reference/soft_balls.hpp"
-#include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/ledger.hpp"
 #include "validation/harness/seeds.hpp"
-#include "validation/harness/verdict.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -170,44 +168,34 @@ inline double softened_theory(StatePoint const& point, double const diameter,
 /// Z of widened balls, brought to hard ones of diameter 1: the kinetic temperature falls a little
 /// below 1 while balls overlap, and with it their Barker-Henderson diameter rises above 1, by which
 /// theory changes Z by so much.
-inline std::vector<double> hardened(StatePoint const& point,
-                                    std::vector<Measurement> const& replicates,
-                                    std::size_t const stiffness) {
-    std::vector<double> values;
+inline Estimate hardened(StatePoint const& point, std::vector<Measurement> const& replicates,
+                         std::size_t const stiffness) {
     double const k = point.stiffnesses[stiffness];
     std::size_t const place = place_of(stiffness, Width::widened);
-    for (Measurement const& replicate : replicates)
-        values.push_back(
-            replicate[place] + point.theory() -
-            softened_theory(point, diameter_of(Width::widened, k), k, replicate[place + 1]));
-    return values;
-}
-
-inline std::vector<double> values_at(std::vector<Measurement> const& replicates,
-                                     std::size_t const place) {
-    std::vector<double> values;
-    for (Measurement const& replicate : replicates) values.push_back(replicate[place]);
-    return values;
+    return mean_of(replicates, [&](Measurement const& replicate) {
+        return replicate[place] + point.theory() -
+               softened_theory(point, diameter_of(Width::widened, k), k, replicate[place + 1]);
+    });
 }
 
 /// The engine against theory, then for each stiffness that is judged the soft balls against theory
 /// and against the engine.
-inline std::vector<Comparison> comparisons(StatePoint const& point,
-                                           std::vector<Measurement> const& replicates,
-                                           double const relative_margin) {
+inline void enter(Ledger& ledger, StatePoint const& point,
+                  std::vector<Measurement> const& replicates, double const relative_margin) {
     double const theory = point.theory(), part = relative_margin * (theory - 1);
     constexpr double of_theory = 2e-5; // relative, see reference/equation_of_state.hpp
     double const theory_error = of_theory * reference::modified_klm(point.packing_fraction);
-    Estimate const hard = mean_of(values_at(replicates, 0));
-    std::string const name = fmt::format("packing fraction {}: ", point.packing_fraction);
-    std::vector<Comparison> all{{name + "clack, theory", hard, theory, theory_error, part}};
+    Estimate const hard = mean_of(replicates, std::size_t{0});
+    std::string const eta = cell(point.packing_fraction);
+    ledger.compare({eta, "hard"}, {"clack_theory", "$Z$, clack"},
+                   {{}, hard, theory, theory_error, part});
     for (std::size_t k = point.first_judged; k < point.stiffnesses.size(); ++k) {
-        Estimate const soft = mean_of(hardened(point, replicates, k));
-        std::string const here = fmt::format("{}k = {:g}, ", name, point.stiffnesses[k]);
-        all.push_back({here + "theory", soft, theory, theory_error, part});
-        all.push_back({here + "clack", soft, hard.value, hard.error, part});
+        Estimate const soft = hardened(point, replicates, k);
+        std::vector<std::string> const state{eta, cell(point.stiffnesses[k])};
+        ledger.compare(state, {"soft_theory", "$Z$, soft"}, {{}, soft, theory, theory_error, part});
+        ledger.compare(state, {"soft_clack", "$Z$, soft; clack"},
+                       {{}, soft, hard.value, hard.error, part});
     }
-    return all;
 }
 
 } // namespace clack::validation::pressure_vs_lammps

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <limits>
 
 namespace clack::validation {
@@ -30,52 +29,32 @@ Question const question{
     "order "
     "t_c^2; balls whose collisions follow one another within 1.5 t_c are left out"};
 
-/// All comparisons with their judgements, and whose they are.
-struct Gates {
-    std::vector<Comparison> comparisons;
-    std::vector<Judgement> judgements;
-
-    /// Of those whose name begins so.
-    Verdict verdict(std::string const& name) const {
-        std::vector<Judgement> some;
-        for (std::size_t k = 0; k < comparisons.size(); ++k)
-            if (comparisons[k].name.starts_with(name)) some.push_back(judgements[k]);
-        return together(some);
-    }
-};
-
 std::vector<Measured> measured(Experiment& experiment, std::string const& deck) {
     std::vector<Measured> all;
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        all.push_back({point, experiment.campaign().replicates(point.text(deck), point.replicates,
-                                                               [&](std::uint64_t const seed) {
-                                                                   return measure(point, seed,
-                                                                                  deck);
-                                                               })});
-    }
+    for (StatePoint const& point : state_points(experiment.profile()))
+        all.push_back({point, experiment.campaign().replicates(
+                                  point.text(deck), point.replicates,
+                                  [&](std::uint64_t seed) { return measure(point, seed, deck); })});
     return all;
 }
 
-Gates gates_of(std::vector<Measured> const& all) {
-    Gates gates;
-    for (Measured const& one : all)
-        for (Comparison const& comparison : comparisons(one))
-            gates.comparisons.push_back(comparison);
+Ledger ledger_of(std::vector<Measured> const& all) {
+    Ledger ledger({{"packing_fraction", "$\\eta$"}, {"count", "$n$"}});
+    for (Measured const& one : all) enter(ledger, one);
     for (double const packing : {0.2, 0.4}) {
         std::vector<Measured> some;
         std::copy_if(all.begin(), all.end(), std::back_inserter(some),
                      [&](Measured const& one) { return one.point.packing_fraction == packing; });
-        for (Value const value : {plain_beyond, softened_beyond})
-            gates.comparisons.push_back(beyond(some, value));
+        for (Value const value : {plain_beyond, softened_beyond}) enter_beyond(ledger, some, value);
     }
-    gates.judgements = judge(gates.comparisons, risks);
-    return gates;
+    return ledger;
 }
 
 /// Geometric mean of distances: they range over decades. Not a number where there are none.
 Estimate typical(Measured const& one, std::size_t const level, Value const value) {
     std::vector<double> logarithms;
-    for (double const x : values_of(one.replicates, level, value)) {
+    for (Measurement const& replicate : one.replicates) {
+        double const x = replicate[level * value_count + value];
         if (!(x > 0)) return {std::numeric_limits<double>::quiet_NaN(), 0};
         logarithms.push_back(std::log(x));
     }
@@ -117,19 +96,6 @@ Csv csv_of(std::vector<Measured> const& all) {
     return csv;
 }
 
-Csv csv_of(Gates const& gates) {
-    Csv csv({"what", "measured", "error", "reference", "margin", "z", "verdict"});
-    for (std::size_t k = 0; k < gates.comparisons.size(); ++k) {
-        Comparison const& c = gates.comparisons[k];
-        std::string name = c.name;
-        std::replace(name.begin(), name.end(), ',', ';');
-        csv.row({name, cell(c.measured.value), cell(c.measured.error), cell(c.reference),
-                 cell(c.margin), cell(gates.judgements[k].z),
-                 cell(name_of(gates.judgements[k].verdict))});
-    }
-    return csv;
-}
-
 /// The matched beginnings of the sequences of collisions: for a figure, not judged.
 Csv prefixes(Experiment& experiment, std::string const& deck) {
     Csv csv({"packing_fraction", "count", "stiffness", "contact_duration", "collisions_per_ball",
@@ -138,37 +104,33 @@ Csv prefixes(Experiment& experiment, std::string const& deck) {
         auto const replicates = experiment.campaign().replicates(
             point.text(deck), point.replicates,
             [&](std::uint64_t const seed) { return collision_prefix::measure(point, seed, deck); });
-        auto const mean = [&](std::size_t const place) {
-            std::vector<double> values;
-            for (Measurement const& replicate : replicates) values.push_back(replicate[place]);
-            return mean_of(values);
-        };
         for (std::size_t k = 0; k < point.stiffnesses.size(); ++k) {
-            Estimate const hard = mean(1 + 2 * k), yielding = mean(2 + 2 * k);
+            Estimate const hard = mean_of(replicates, 1 + 2 * k);
+            Estimate const yielding = mean_of(replicates, 2 + 2 * k);
             csv.row({cell(point.packing_fraction), cell(point.count), cell(point.stiffnesses[k]),
-                     cell(reference::contact_duration(point.stiffnesses[k])), cell(mean(0).value),
-                     cell(hard.value), cell(hard.error), cell(yielding.value),
-                     cell(yielding.error)});
+                     cell(reference::contact_duration(point.stiffnesses[k])),
+                     cell(mean_of(replicates, std::size_t{0}).value), cell(hard.value),
+                     cell(hard.error), cell(yielding.value), cell(yielding.error)});
         }
     }
     return csv;
 }
 
-std::string table_of(std::vector<Measured> const& all, Gates const& gates) {
+std::string table_of(std::vector<Measured> const& all, Ledger const& ledger) {
     std::vector<std::vector<std::string>> cells;
-    std::size_t first = 0; // the slopes are the first comparisons of their points
     for (Measured const& one : all) {
         std::size_t const last = one.point.stiffnesses.size() - 1;
         double const duration = reference::contact_duration(one.point.stiffnesses[last]);
         Estimate median = one.mean(last, plain_median);
+        Estimate const slope =
+            mean_of(one.replicates, [&](Measurement const& m) { return slope_of(one.point, m); });
         cells.push_back({fmt::format("{:.1f}", one.point.packing_fraction), cell(one.point.count),
-                         "$" + with_error(gates.comparisons[first].measured) + "$",
+                         "$" + with_error(slope) + "$",
                          with_error({median.value / duration, median.error / duration}),
                          significant(one.mean(last - 1, richardson_median).value, 2),
                          significant(one.mean(last, softened_median).value, 2),
                          fmt::format("{:.2f}", one.mean(last, kept_fraction).value),
-                         name_of(gates.verdict(one.name() + ":"))});
-        first += comparisons(one).size();
+                         name_of(ledger.verdict_at(one.state()))});
     }
     return tabular("rrrrrrrl",
                    {"$\\eta$", "$n$", "slope", "median$/t_{\\mathrm c}$", "Richardson", "yielding",
@@ -176,7 +138,7 @@ std::string table_of(std::vector<Measured> const& all, Gates const& gates) {
                    cells);
 }
 
-Macros macros_of(std::vector<Measured> const& all, Profile const profile, Verdict const verdict) {
+Macros macros_of(std::vector<Measured> const& all) {
     double richardson = 0, softened = 0, least_kept = 1, most_kept = 0, segments = 0;
     for (Measured const& one : all) {
         std::size_t const last = one.point.stiffnesses.size() - 1, first = one.point.first_judged;
@@ -187,7 +149,6 @@ Macros macros_of(std::vector<Measured> const& all, Profile const profile, Verdic
         segments += one.point.segments * one.point.replicates;
     }
     Macros macros("TrajectoriesVsLammps");
-    macros.define("Profile", name_of(profile));
     macros.define("Version", reference::lammps_version);
     macros.define("Segments", cell(static_cast<std::int64_t>(segments)));
     macros.define("StepsPerContact", significant(steps_per_contact, 3));
@@ -195,7 +156,6 @@ Macros macros_of(std::vector<Measured> const& all, Profile const profile, Verdic
     macros.define("Softened", significant(softened, 2));
     macros.define("LeastKeptPercent", fmt::format("{:.0f}", 100 * least_kept));
     macros.define("MostKeptPercent", fmt::format("{:.0f}", 100 * most_kept));
-    macros.define("Verdict", name_of(verdict));
     return macros;
 }
 
@@ -203,19 +163,11 @@ Verdict ask(Experiment& experiment) {
     std::string const deck = reference::lammps_deck("lammps_cube.in");
     std::vector<Measured> const all = measured(experiment, deck);
     Csv const prefix = prefixes(experiment, deck);
-    Gates const gates = gates_of(all);
-    for (std::size_t k = 0; k < gates.comparisons.size(); ++k) {
-        Comparison const& c = gates.comparisons[k];
-        std::cout << fmt::format("{}: {:.4g} +- {:.1g}, expected {} +- {}: z = {:+.1f}  {}\n",
-                                 c.name, c.measured.value, c.measured.error, c.reference, c.margin,
-                                 gates.judgements[k].z, name_of(gates.judgements[k].verdict));
-    }
-    Verdict const verdict = together(gates.judgements);
-    experiment.write(csv_of(all));
-    experiment.write(csv_of(gates), "_gates");
+    Ledger ledger = ledger_of(all);
+    Verdict const verdict = conclude(experiment, ledger, macros_of(all), risks);
+    experiment.write(csv_of(all), "_distances");
     experiment.write(prefix, "_prefix");
-    experiment.write(macros_of(all, experiment.profile(), verdict));
-    experiment.write_table(table_of(all, gates));
+    experiment.write_table(table_of(all, ledger));
     return verdict;
 }
 

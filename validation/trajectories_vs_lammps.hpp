@@ -1,10 +1,9 @@
 #pragma once
 // Trajectories beside those of soft balls: state points, one measurement, and what it should give.
 
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/ledger.hpp"
 #include "validation/harness/seeds.hpp"
-#include "validation/harness/verdict.hpp"
+#include "validation/harness/straight_line.hpp"
 #include "validation/soft_runs.hpp"
 
 #include <fmt/format.h>
@@ -176,28 +175,14 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
     return values;
 }
 
-/// One value at one stiffness, of all replicates.
-inline std::vector<double> values_of(std::vector<Measurement> const& replicates,
-                                     std::size_t const level, Value const value) {
-    std::vector<double> values;
-    for (Measurement const& replicate : replicates)
-        values.push_back(replicate[level * value_count + value]);
-    return values;
-}
-
 /// Slope of log(common median) against log(stiffness) over what is judged, of one replicate.
 inline double slope_of(StatePoint const& point, Measurement const& replicate) {
-    double n = 0, x_sum = 0, y_sum = 0, xx_sum = 0, xy_sum = 0;
+    std::vector<double> stiffnesses, medians;
     for (std::size_t k = point.first_judged; k < point.stiffnesses.size(); ++k) {
-        double const x = std::log(point.stiffnesses[k]);
-        double const y = std::log(replicate[k * value_count + common_median]);
-        ++n;
-        x_sum += x;
-        y_sum += y;
-        xx_sum += x * x;
-        xy_sum += x * y;
+        stiffnesses.push_back(std::log(point.stiffnesses[k]));
+        medians.push_back(std::log(replicate[k * value_count + common_median]));
     }
-    return (n * xy_sum - x_sum * y_sum) / (n * xx_sum - x_sum * x_sum);
+    return line_through(stiffnesses, medians).slope;
 }
 
 /// A state point with what was measured there.
@@ -206,10 +191,10 @@ struct Measured {
     std::vector<Measurement> replicates;
 
     Estimate mean(std::size_t const level, Value const value) const {
-        return mean_of(values_of(replicates, level, value));
+        return mean_of(replicates, level * value_count + value);
     }
-    std::string name() const {
-        return fmt::format("packing fraction {}, {} balls", point.packing_fraction, point.count);
+    std::vector<std::string> state() const {
+        return {cell(point.packing_fraction), cell(point.count)};
     }
 };
 
@@ -220,34 +205,35 @@ struct Measured {
 ///   slope       the error of first order falls as k^(-1/2).
 ///   Richardson  of second order: some t_c^2, 2e-6 at the softest judged.
 ///   softened    the same, less what head-on collisions do not have of it.
-inline std::vector<Comparison> comparisons(Measured const& measured) {
+inline void enter(Ledger& ledger, Measured const& measured) {
     StatePoint const& point = measured.point;
-    std::vector<Comparison> all;
-    std::vector<double> slopes;
-    for (Measurement const& replicate : measured.replicates)
-        slopes.push_back(slope_of(point, replicate));
-    all.push_back({measured.name() + ": slope", mean_of(slopes), -0.5, 0, 0.03});
+    auto const slope = [&](Measurement const& replicate) { return slope_of(point, replicate); };
+    ledger.compare(measured.state(), {"slope", "slope"},
+                   {{}, mean_of(measured.replicates, slope), -0.5, 0, 0.03});
     for (std::size_t k = point.first_judged; k < point.stiffnesses.size(); ++k) {
-        std::string const here =
-            fmt::format("{}: k = {:.3g}: ", measured.name(), point.stiffnesses[k]);
+        auto const add = [&](std::string const& name, Estimate const& found, double expected,
+                             double margin) {
+            ledger.compare(measured.state(),
+                           {fmt::format("{} at k={:.3g}", name, point.stiffnesses[k]), name},
+                           {{}, found, expected, 0, margin});
+        };
         double const duration = reference::contact_duration(point.stiffnesses[k]);
         Estimate median = measured.mean(k, plain_median);
         median.value /= duration;
         median.error /= duration;
-        all.push_back({here + "median", median, 1.1, 0, 0.2});
-        all.push_back({here + "softened", measured.mean(k, softened_median), 0, 0, 1e-6});
+        add("median", median, 1.1, 0.2);
+        add("softened", measured.mean(k, softened_median), 0, 1e-6);
         if (k + 1 < point.stiffnesses.size())
-            all.push_back({here + "Richardson", measured.mean(k, richardson_median), 0, 0, 1e-5});
+            add("Richardson", measured.mean(k, richardson_median), 0, 1e-5);
     }
-    all.push_back({measured.name() + ": kept",
-                   measured.mean(point.stiffnesses.size() - 1, kept_fraction), 1, 0, 0.1});
-    return all;
+    ledger.compare(measured.state(), {"kept", "kept"},
+                   {{}, measured.mean(point.stiffnesses.size() - 1, kept_fraction), 1, 0, 0.1});
 }
 
 /// A share of balls beyond a limit over all stiffnesses that are judged and all state points, which
 /// must have as many replicates and of which the first gives the packing fraction. A near miss that
 /// becomes a hit, or the reverse, takes several balls with it: few replicates would not do.
-inline Comparison beyond(std::vector<Measured> const& points, Value const value) {
+inline void enter_beyond(Ledger& ledger, std::vector<Measured> const& points, Value const value) {
     std::vector<double> shares;
     double all = 0;
     for (std::size_t r = 0; r < points.front().replicates.size(); ++r) {
@@ -267,10 +253,10 @@ inline Comparison beyond(std::vector<Measured> const& points, Value const value)
     }
     // None among so many may be no more than chance.
     double const one_ball = 1 / all;
-    return {fmt::format("packing fraction {}: share beyond {}",
-                        points.front().point.packing_fraction,
-                        value == plain_beyond ? "5 contact durations" : "1e-5, softened"),
-            mean_of(shares), 0, one_ball, share_beyond_max};
+    char const* const name =
+        value == plain_beyond ? "beyond 5 contact durations" : "beyond 1e-5; softened";
+    ledger.compare({cell(points.front().point.packing_fraction), "all"}, {name, name},
+                   {{}, mean_of(shares), 0, one_ball, share_beyond_max});
 }
 
 } // namespace clack::validation::trajectories_vs_lammps

@@ -22,9 +22,9 @@ std::vector<Judgement> judged(MethodMaker const& make) {
     std::vector<Measurement> sweeps;
     for (int replicate = 0; replicate < small.replicates; ++replicate)
         sweeps.push_back(measure(small, static_cast<std::uint64_t>(replicate), make));
-    return judge({compare(small, 0, Quantity::start, sweeps),
-                  compare(small, 0, Quantity::collision, sweeps)},
-                 of_timing);
+    return judge(
+        {compare(small, 0, Work::start, sweeps), compare(small, 0, Work::collision, sweeps)},
+        of_timing);
 }
 
 } // namespace
@@ -40,13 +40,13 @@ BOOST_AUTO_TEST_CASE(costs_are_taken_from_their_own_ladder) {
     Plan plan = small;
     plan.ladders = {{Method::table, 512, 10, 2, 1}, {Method::fast, 1024, 10, 1, 0}};
     Measurement const sweep{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-    auto const costs = [&](std::size_t ladder, Quantity quantity) {
+    auto const costs = [&](std::size_t ladder, Work quantity) {
         return costs_of(plan, ladder, quantity, sweep);
     };
-    BOOST_TEST(costs(0, Quantity::start) == (std::vector<double>{1, 3}));
-    BOOST_TEST(costs(0, Quantity::collision) == (std::vector<double>{2, 4}));
-    BOOST_TEST(costs(1, Quantity::start) == (std::vector<double>{5, 7, 9}));
-    BOOST_TEST(costs(1, Quantity::collision) == (std::vector<double>{6, 8, 10}));
+    BOOST_TEST(costs(0, Work::start) == (std::vector<double>{1, 3}));
+    BOOST_TEST(costs(0, Work::collision) == (std::vector<double>{2, 4}));
+    BOOST_TEST(costs(1, Work::start) == (std::vector<double>{5, 7, 9}));
+    BOOST_TEST(costs(1, Work::collision) == (std::vector<double>{6, 8, 10}));
 }
 
 // The mutant: cells that are never used, all balls being scanned instead.

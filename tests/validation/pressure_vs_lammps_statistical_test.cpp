@@ -14,13 +14,11 @@ using namespace clack::validation::pressure_vs_lammps;
 namespace {
 
 Verdict verdict_of(StatePoint const& point, std::vector<Measurement> const& replicates) {
-    auto const gates = comparisons(point, replicates, margin(Profile::quick));
-    auto const judgements = judge(gates, risks);
-    for (std::size_t k = 0; k < gates.size(); ++k)
-        BOOST_TEST_MESSAGE(gates[k].name << ": " << gates[k].measured.value << " +- "
-                                         << gates[k].measured.error << ": "
-                                         << name_of(judgements[k].verdict));
-    return together(judgements);
+    Ledger ledger({{"packing_fraction", ""}, {"stiffness", ""}});
+    enter(ledger, point, replicates, margin(Profile::quick));
+    ledger.judge(risks);
+    BOOST_TEST_MESSAGE(ledger.text());
+    return ledger.verdict();
 }
 
 } // namespace

@@ -36,18 +36,8 @@ template <class Real> struct WeakSoftenedBalls : SoftenedBalls<Real> {
     }
 };
 
-/// The judgements on the smallest state point when it is one of all, and their verdict.
-struct Outcome {
-    Verdict verdict;
-    std::vector<std::string> caught_by;
-
-    bool is_caught_by(std::string const& end) const {
-        return std::any_of(caught_by.begin(), caught_by.end(),
-                           [&](std::string const& name) { return name.ends_with(end); });
-    }
-};
-
-Outcome outcome_with(Engines const& engines) {
+/// The ledger of the smallest state point, judged as one of all.
+Ledger ledger_with(Engines const& engines) {
     std::string const deck = reference::lammps_deck("lammps_cube.in");
     auto const points = state_points(Profile::quick);
     Measured measured{points.front(), {}};
@@ -56,19 +46,21 @@ Outcome outcome_with(Engines const& engines) {
             seed_of("trajectories_vs_lammps", measured.point.text(deck), replicate);
         measured.replicates.push_back(measure(measured.point, seed, deck, engines));
     }
-    auto gates = comparisons(measured);
+    Ledger ledger({{"packing_fraction", ""}, {"count", ""}});
+    enter(ledger, measured);
     for (Value const value : {plain_beyond, softened_beyond})
-        gates.push_back(beyond({measured}, value));
-    Risks const share{.false_alarm = risks.false_alarm / static_cast<double>(points.size())};
-    auto const judgements = judge(gates, share);
-    Outcome outcome{together(judgements), {}};
-    for (std::size_t k = 0; k < gates.size(); ++k) {
-        BOOST_TEST_MESSAGE(gates[k].name << " = " << gates[k].measured.value << " +- "
-                                         << gates[k].measured.error << ": "
-                                         << name_of(judgements[k].verdict));
-        if (judgements[k].verdict == Verdict::differs) outcome.caught_by.push_back(gates[k].name);
-    }
-    return outcome;
+        enter_beyond(ledger, {measured}, value);
+    ledger.judge({.false_alarm = risks.false_alarm / static_cast<double>(points.size())});
+    BOOST_TEST_MESSAGE(ledger.text());
+    return ledger;
+}
+
+/// Whether a quantity, at any stiffness, differs.
+bool is_caught_by(Ledger const& ledger, std::string const& quantity) {
+    auto const& all = ledger.entries();
+    return std::any_of(all.begin(), all.end(), [&](Entry const& entry) {
+        return entry.quantity.name.starts_with(quantity) && entry.verdict == Verdict::differs;
+    });
 }
 
 template <template <class> class Model> Engines hard_engine() {
@@ -80,22 +72,22 @@ template <template <class> class Model> Engines hard_engine() {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(true_engine_passes, *NeedsLammps()) {
-    BOOST_TEST((outcome_with({}).verdict == Verdict::agrees));
+    BOOST_TEST((ledger_with({}).verdict() == Verdict::agrees));
 }
 
 BOOST_AUTO_TEST_CASE(narrower_balls_do_not_pass, *NeedsLammps()) {
-    Outcome const outcome = outcome_with(hard_engine<NarrowerBalls>());
-    BOOST_TEST((outcome.verdict == Verdict::differs));
-    BOOST_TEST(outcome.is_caught_by("slope"));
-    BOOST_TEST(outcome.is_caught_by("Richardson"));
+    Ledger const ledger = ledger_with(hard_engine<NarrowerBalls>());
+    BOOST_TEST((ledger.verdict() == Verdict::differs));
+    BOOST_TEST(is_caught_by(ledger, "slope"));
+    BOOST_TEST(is_caught_by(ledger, "Richardson"));
 }
 
 /// The sharpest of the gates sees what the others cannot.
 BOOST_AUTO_TEST_CASE(weaker_impulses_of_yielding_balls_do_not_pass, *NeedsLammps()) {
-    Outcome const outcome = outcome_with({.yielding = softened<WeakSoftenedBalls>});
-    BOOST_TEST((outcome.verdict == Verdict::differs));
-    BOOST_TEST(outcome.is_caught_by("share beyond 1e-5, softened"));
-    BOOST_TEST(!outcome.is_caught_by("slope"));
+    Ledger const ledger = ledger_with({.yielding = softened<WeakSoftenedBalls>});
+    BOOST_TEST((ledger.verdict() == Verdict::differs));
+    BOOST_TEST(is_caught_by(ledger, "beyond 1e-5; softened"));
+    BOOST_TEST(!is_caught_by(ledger, "slope"));
 }
 
 BOOST_AUTO_TEST_CASE(sequences_match_up_to_their_first_difference) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace clack::validation {
@@ -52,9 +53,11 @@ void Experiment::conclude(Verdict const verdict) const {
     auto const points = campaign_.state_points().size();
     auto const worst = worst_z_judged();
     double const seconds = processor_seconds_in_all() + campaign_.seconds_recalled();
+    std::string margin = question_.margin;
+    std::replace(margin.begin(), margin.end(), ',', ';'); // which part the columns
     Csv csv({"experiment", "state_points", "margin", "worst_z", "verdict", "processor_seconds"});
-    csv.row({question_.stem, cell(points), question_.margin, worst ? cell(*worst) : "",
-             name_of(verdict), fmt::format("{:.1f}", seconds)});
+    csv.row({question_.stem, cell(points), margin, worst ? cell(*worst) : "", name_of(verdict),
+             fmt::format("{:.1f}", seconds)});
     write(csv, "_verdict");
     write_file(options_.directory / (question_.stem + "_verdict.tex"),
                fmt::format("\\texttt{{{}}} & {} & {} & {} & {} & {} \\\\\n", in_tex(question_.stem),

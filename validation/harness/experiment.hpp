@@ -18,7 +18,7 @@ namespace clack::validation {
 struct Question {
     std::string stem;   // the name of the experiment's source, data, plot script and figure
     std::string text;   // what is asked
-    std::string margin; // what difference would not matter, without commas
+    std::string margin; // what difference would not matter
     std::string reason; // why it would not
 };
 

@@ -58,13 +58,20 @@ void Ledger::judge(Risks const& risks) {
     }
 }
 
-Verdict Ledger::verdict(std::string const& quantity) const {
+Verdict Ledger::verdict_where(std::function<bool(Entry const&)> const& concerned) const {
     std::vector<Verdict> verdicts;
     for (Entry const& entry : entries_)
-        if (entry.kind != Entry::Kind::guide &&
-            (quantity.empty() || entry.quantity.name == quantity))
-            verdicts.push_back(entry.verdict);
+        if (entry.kind != Entry::Kind::guide && concerned(entry)) verdicts.push_back(entry.verdict);
     return together(verdicts);
+}
+
+Verdict Ledger::verdict(std::string const& quantity) const {
+    return verdict_where(
+        [&](Entry const& entry) { return quantity.empty() || entry.quantity.name == quantity; });
+}
+
+Verdict Ledger::verdict_at(std::vector<std::string> const& state) const {
+    return verdict_where([&](Entry const& entry) { return entry.state == state; });
 }
 
 double Ledger::largest_z() const {
@@ -121,14 +128,14 @@ std::string Ledger::table() const {
     return tabular(std::string(keys_.size(), 'r') + "lllrrl", head, rows);
 }
 
-void Ledger::define(Macros& macros, Profile const profile) const {
+void Ledger::define(Macros& macros, Profile const profile, Risks const& risks) const {
     auto const compared = std::count_if(entries_.begin(), entries_.end(), [](Entry const& entry) {
         return entry.kind == Entry::Kind::compared;
     });
     macros.define("Profile", validation::name_of(profile));
     macros.define("Comparisons", cell(compared));
     macros.define("LargestZ", significant(largest_z(), 2));
-    macros.define("FalseAlarmPercent", significant(100 * Risks{}.false_alarm, 1));
+    macros.define("FalseAlarmPercent", significant(100 * risks.false_alarm, 1));
     macros.define("Verdict", name_of(verdict()));
 }
 
@@ -153,9 +160,9 @@ std::string Ledger::text() const {
     return text;
 }
 
-Verdict conclude(Experiment& experiment, Ledger& ledger, Macros macros) {
-    ledger.judge();
-    ledger.define(macros, experiment.profile());
+Verdict conclude(Experiment& experiment, Ledger& ledger, Macros macros, Risks const& risks) {
+    ledger.judge(risks);
+    ledger.define(macros, experiment.profile(), risks);
     std::cout << ledger.text();
     experiment.write(macros);
     experiment.write_table(ledger.table());

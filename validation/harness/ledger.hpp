@@ -4,6 +4,7 @@
 
 #include "validation/harness/experiment.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -53,21 +54,25 @@ public:
     std::vector<Entry> const& entries() const { return entries_; }
     /// Of one quantity over all states, or of all.
     Verdict verdict(std::string const& quantity = "") const;
+    /// Of all quantities at one state.
+    Verdict verdict_at(std::vector<std::string> const& state) const;
     /// The largest |z| against agreement of all comparisons.
     double largest_z() const;
 
     Csv csv() const;
     std::string table() const;
     /// Defines Verdict, Profile, Comparisons, LargestZ and FalseAlarmPercent.
-    void define(Macros& macros, Profile profile) const;
+    void define(Macros& macros, Profile profile, Risks const& risks = {}) const;
     std::string text() const;
 
 private:
+    Verdict verdict_where(std::function<bool(Entry const&)> const& concerned) const;
+
     std::vector<Key> keys_;
     std::vector<Entry> entries_;
 };
 
 /// Judges, prints, writes the data, the table and the macros, and returns the verdict on all.
-Verdict conclude(Experiment& experiment, Ledger& ledger, Macros macros);
+Verdict conclude(Experiment& experiment, Ledger& ledger, Macros macros, Risks const& risks = {});
 
 } // namespace clack::validation
