@@ -22,7 +22,8 @@ Question const question{
     "two_threads",
     "Does a second thread that reads ahead leave every bit alone, and how much sooner is a run "
     "done?",
-    "none: one hash over the collision sequence with one thread and with two; how much sooner is "
+    "none",
+    "one hash over the collision sequence with one thread and with two; how much sooner is "
     "reported and not judged, since it is the machine's as much as the engine's"};
 
 struct Point {
