@@ -80,40 +80,61 @@ Measurement measure(Point const& point, std::uint64_t const seed) {
     return {seconds[0] / timed, seconds[1] / timed, same ? 1.0 : 0.0};
 }
 
-Verdict ask(Experiment& experiment) {
-    constexpr int replicates = 3;
+struct Found {
+    Point point;
+    Estimate one, two, factor; // collisions a second of each; of replicate by replicate
+    bool same;
+};
+
+Found found_at(Point const& point, int const replicates, Campaign& campaign) {
+    std::vector<double> one, two, factor;
+    bool same = true;
+    for (Measurement const& run :
+         campaign.replicates(point.text(), replicates,
+                             [&](std::uint64_t const seed) { return measure(point, seed); })) {
+        one.push_back(1 / run[0]);
+        two.push_back(1 / run[1]);
+        factor.push_back(run[0] / run[1]);
+        same &= run[2] == 1;
+    }
+    return {point, median_of(one), median_of(two), median_of(factor), same};
+}
+
+Csv csv_of(std::vector<Found> const& all) {
     Csv csv({"count", "packing_fraction", "rate_per_s", "rate_of_two_threads_per_s", "factor",
              "factor_error", "same_bits"});
+    for (Found const& found : all)
+        csv.row({cell(found.point.count), cell(found.point.packing_fraction), cell(found.one.value),
+                 cell(found.two.value), cell(found.factor.value), cell(found.factor.error),
+                 found.same ? "yes" : "no"});
+    return csv;
+}
+
+std::string table_of(std::vector<Found> const& all) {
     std::vector<std::vector<std::string>> rows;
+    for (Found const& found : all)
+        rows.push_back({cell(found.point.count), fmt::format("{:g}", found.point.packing_fraction),
+                        fmt::format("{:.2f}", 1e-6 * found.one.value),
+                        fmt::format("{:.2f}", 1e-6 * found.two.value), with_error(found.factor)});
+    return tabular("rrrrr", {"$n$", "$\\eta$", "one thread", "two threads", "times as fast"}, rows);
+}
+
+Verdict ask(Experiment& experiment) {
+    constexpr int replicates = 3;
+    std::vector<Found> all;
     std::vector<double> factors;
     Verdict verdict = Verdict::agrees;
     for (Point const& point : points(experiment.profile())) {
-        std::vector<double> one, two, factor;
-        bool same = true;
-        for (Measurement const& run : experiment.campaign().replicates(
-                 point.text(), replicates,
-                 [&](std::uint64_t const seed) { return measure(point, seed); })) {
-            one.push_back(1 / run[0]);
-            two.push_back(1 / run[1]);
-            factor.push_back(run[0] / run[1]);
-            same &= run[2] == 1;
-        }
-        if (!same) verdict = Verdict::differs;
-        Estimate const faster = median_of(factor);
-        factors.push_back(faster.value);
-        csv.row({cell(point.count), cell(point.packing_fraction), cell(median_of(one).value),
-                 cell(median_of(two).value), cell(faster.value), cell(faster.error),
-                 same ? "yes" : "no"});
-        rows.push_back({cell(point.count), fmt::format("{:g}", point.packing_fraction),
-                        fmt::format("{:.2f}", 1e-6 * median_of(one).value),
-                        fmt::format("{:.2f}", 1e-6 * median_of(two).value), with_error(faster)});
+        Found const found = found_at(point, replicates, experiment.campaign());
+        if (!found.same) verdict = Verdict::differs;
+        factors.push_back(found.factor.value);
         std::cout << fmt::format("{:7} balls at {:<4g}: {} times as fast, {}\n", point.count,
-                                 point.packing_fraction, with_error(faster),
-                                 same ? "the same bits" : "OTHER BITS");
+                                 point.packing_fraction, with_error(found.factor),
+                                 found.same ? "the same bits" : "other bits");
+        all.push_back(found);
     }
-    experiment.write(csv);
-    experiment.write_table(
-        tabular("rrrrr", {"$n$", "$\\eta$", "one thread", "two threads", "times as fast"}, rows));
+    experiment.write(csv_of(all));
+    experiment.write_table(table_of(all));
     Macros macros("TwoThreads");
     auto const [least, most] = std::minmax_element(factors.begin(), factors.end());
     macros.define("Least", significant(*least, 2));
