@@ -11,6 +11,6 @@ draw() { # draw NAME SCENE WIDTH HEIGHT OPTIONS...
 }
 
 draw dense_fluid dense_fluid 440 400
-draw two_halves dense_fluid 250 220 --time 0,2,20 --colour side \
-  --set container.packing_fraction=0.2 --set balls.count=1500
+draw two_halves dense_fluid 250 220 --time 0,10,200 --colour side \
+  --set 'container.boundary="walls"' --set container.packing_fraction=0.2 --set balls.count=1500
 draw cradle newtons_cradle 470 86 --time 0,1,1.75,3,5 --azimuth -90 --elevation 0 --zoom 5.2

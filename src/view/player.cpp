@@ -151,7 +151,7 @@ bool Player::take_task() {
     guarded(task);
     ++now_.tasks_done;
     asked_since_ = true; // what was asked for is shown at once
-    next_.reset(); // may be of another time
+    next_.reset();       // may be of another time
     next_of_traced_.reset();
     target_ = source_->time();
     return true;

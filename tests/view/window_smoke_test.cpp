@@ -203,6 +203,8 @@ BOOST_AUTO_TEST_CASE(a_file_that_grows_is_followed) {
     writer.signal_after({}, SIGINT);
     writer.finish();
     BOOST_TEST(states[1]["last_time"].get<double>() > states[0]["last_time"].get<double>());
+    BOOST_TEST(states[0]["remark"].get<std::string>().find("from frame to frame") !=
+               std::string::npos);
     std::filesystem::remove(file);
 }
 
