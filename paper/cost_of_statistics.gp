@@ -21,7 +21,7 @@ set key bottom right reverse Left samplen 3 width 2 font ',8'
 set label 1 'bias: more time buys no digit' at graph 0.97, 0.93 right font ',8'
 # The slope of -1/2 through the first point of the engine.
 anchor = system(sprintf("awk -F, '$1 == \"fast\" { print $4 * $5^2; exit }' %s", file)) + 0
-root(x) = x < 0.3 ? sqrt(anchor / x) : NaN
+root(x) = x < 0.15 ? sqrt(anchor / x) : NaN
 plot root(x) with lines ls 9 title 'slope −1/2', \
      file using 4:(of('fast', 'double', $5)) with linespoints ls 2 title 'fast', \
      for [k = 1:words(frames)] file using 4:(of('frames', word(frames, k), $5)) with linespoints ls 4 pt 2 * k + 3 title 'frames, ' . word(frames, k), \

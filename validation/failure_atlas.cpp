@@ -102,7 +102,7 @@ std::string in_short(Cell const& found, double const last) {
 }
 
 std::string table_of(Atlas const& atlas) {
-    std::vector<std::string> head{"scene", "what grows with $k$", "$k$", "float", "double"};
+    std::vector<std::string> head{"scene", "$k$", "float", "double"};
     std::vector<std::size_t> columns{atlas.column("fast float"), atlas.column(champion)};
     for (std::size_t c = atlas.column("frames"); c < atlas.contenders.size(); ++c) {
         columns.push_back(c);
@@ -116,19 +116,14 @@ std::string table_of(Atlas const& atlas) {
     for (std::size_t r = 0; r < atlas.rows.size(); ++r) {
         Scene const& scene = atlas.scenes[r];
         bool const limited = atlas.rows[r].no_limit_from >= scene.levels.front();
-        std::string parameter = scene.parameter;
-        for (std::string const power : {"10^-k", "10^k", "k^3"})
-            if (auto const at = parameter.find(power); at != std::string::npos)
-                parameter.replace(at, power.size(),
-                                  power == "10^-k" ? "$10^{-k}$" : '$' + power + '$');
         std::vector<std::string> cells{
-            scene.name + (limited ? "$^\\dagger$" : ""), parameter,
+            scene.name + (limited ? "$^\\dagger$" : ""),
             fmt::format("{:g} \\dots {:g}", scene.levels.front(), scene.levels.back())};
         for (std::size_t const c : columns)
             cells.push_back(in_short(atlas.rows[r].cells[c], scene.levels.back()));
         rows.push_back(cells);
     }
-    return tabular("lll" + std::string(columns.size(), 'l'), head, rows);
+    return tabular("ll" + std::string(columns.size(), 'l'), head, rows);
 }
 
 /// The scenes in which physics has no answer, and whom the tie rule lets meet.
