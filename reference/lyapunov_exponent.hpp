@@ -12,9 +12,9 @@ namespace clack::reference {
 /// gains while each ball has one collision with another ball.
 /// Fitted to what the experiment `lyapunov` measures at packing fractions 0.001 to 0.45 and 27
 /// (periodic: 100) to 1000 balls, and judged by it at others in between: 6 %. The limit of many
-/// balls is extrapolated. Denser systems are given the value at the end, which is too large for them;
-/// more dilute ones the growth of theory's leading order, -4.311 ln(density), which is too steep
-/// (R. van Zon, H. van Beijeren, Ch. Dellago, Phys. Rev. Lett. 80, 2035 (1998)): an error is
+/// balls is extrapolated. Denser systems are given the value at the end, which is too large for
+/// them; more dilute ones the growth of theory's leading order, -4.311 ln(density), which is too
+/// steep (R. van Zon, H. van Beijeren, Ch. Dellago, Phys. Rev. Lett. 80, 2035 (1998)): an error is
 /// rather said to grow too fast than too slowly.
 inline double lyapunov_exponent_per_collision(System const& system) {
     double const packing_fraction = system.packing_fraction();
