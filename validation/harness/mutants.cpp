@@ -2,7 +2,10 @@
 
 #include "validation/harness/mutant_models.hpp"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string>
 
 namespace clack::validation {
 
@@ -18,7 +21,8 @@ Made make_wider(Scene const& scene) {
 }
 
 /// Balls in layers of a grid that move within their layer: its collisions know no third dimension.
-Made make_layers(Scene scene) {
+Made make_layers(Scene const& given) {
+    Scene scene = given;
     scene.arrangement = Arrangement::grid;
     Start start = make_start(scene);
     double const energy = start.velocities.squaredNorm();
@@ -43,85 +47,54 @@ Made of(Scene const& scene) {
     return mutants::make<Container, Model, Search>(scene.system, make_start(scene));
 }
 
-Made between_walls(Fault const fault, Scene const& scene) {
-    switch (fault) {
-    case Fault::weaker_impulses:
-        return of<WalledCube, mutants::WeakerImpulses>(scene);
-    case Fault::moved_walls:
-        return of<WalledCube, mutants::MovedWalls>(scene);
-    case Fault::lossy_walls:
-        return of<WalledCube, mutants::LossyWalls>(scene);
-    case Fault::layered_start:
-        return make_layers(scene);
-    case Fault::unequal_speeds:
-        return make_unequal(scene);
-    default:
-        throw std::invalid_argument("no such mutant between walls");
-    }
-}
+struct Mutant {
+    Fault fault;
+    char const* name;
+    Boundary boundary;
+    Made (*make)(Scene const&);
+};
 
-Made in_periodic_cube(Fault const fault, Scene const& scene) {
-    switch (fault) {
-    case Fault::wider_balls:
-        return make_wider(scene);
-    case Fault::stronger_impulses:
-        return of<PeriodicCube, mutants::StrongerImpulses>(scene);
-    case Fault::missed_collisions:
-        return of<PeriodicCube, mutants::MissedCollisions>(scene);
-    case Fault::late_collisions:
-        return of<PeriodicCube, mutants::LateCollisions>(scene);
-    case Fault::earlier_normal:
-        return of<PeriodicCube, mutants::EarlierNormal>(scene);
-    case Fault::rounded_velocities:
-        return of<PeriodicCube, mutants::RoundedVelocities>(scene);
-    case Fault::lost_refresh:
-        return of<PeriodicCube, mutants::LostRefresh>(scene);
-    case Fault::stale_images:
-        return of<PeriodicCube, mutants::LostRefresh, EveryPair>(scene);
-    default:
-        throw std::invalid_argument("no such mutant in a periodic cube");
-    }
+Mutant const& mutant_of(Fault const fault) {
+    constexpr auto walls = Boundary::walls, periodic = Boundary::periodic;
+    static std::array const all{
+        Mutant{Fault::wider_balls, "diameter 0.1 % too large", periodic, make_wider},
+        Mutant{Fault::stronger_impulses, "impulses 1e-4 too large", periodic,
+               of<PeriodicCube, mutants::StrongerImpulses>},
+        Mutant{Fault::weaker_impulses, "impulses 1e-4 too small", walls,
+               of<WalledCube, mutants::WeakerImpulses>},
+        Mutant{Fault::missed_collisions, "one collision in 10000 missed", periodic,
+               of<PeriodicCube, mutants::MissedCollisions>},
+        Mutant{Fault::late_collisions, "one collision in 100000 late by 1e-6", periodic,
+               of<PeriodicCube, mutants::LateCollisions>},
+        Mutant{Fault::earlier_normal, "normal of 0.01 before contact", periodic,
+               of<PeriodicCube, mutants::EarlierNormal>},
+        Mutant{Fault::rounded_velocities, "velocities of 32 bits", periodic,
+               of<PeriodicCube, mutants::RoundedVelocities>},
+        Mutant{Fault::moved_walls, "walls off by 0.1 %", walls,
+               of<WalledCube, mutants::MovedWalls>},
+        Mutant{Fault::lossy_walls, "walls of restitution 0.9999", walls,
+               of<WalledCube, mutants::LossyWalls>},
+        Mutant{Fault::lost_refresh, "refresh of the cells lost", periodic,
+               of<PeriodicCube, mutants::LostRefresh>},
+        Mutant{Fault::stale_images, "nearest image of the start only", periodic,
+               of<PeriodicCube, mutants::LostRefresh, EveryPair>},
+        Mutant{Fault::layered_start, "start that never leaves two dimensions", walls, make_layers},
+        Mutant{Fault::unequal_speeds, "equal speeds apart by 10 % at the start", walls,
+               make_unequal}};
+    return *std::find_if(all.begin(), all.end(),
+                         [&](Mutant const& mutant) { return mutant.fault == fault; });
 }
 
 } // namespace
 
 EngineMaker with(Fault const fault) {
-    return [fault](Scene const& scene) {
-        return scene.system.boundary == Boundary::walls ? between_walls(fault, scene)
-                                                        : in_periodic_cube(fault, scene);
+    return [&mutant = mutant_of(fault)](Scene const& scene) {
+        if (scene.system.boundary != mutant.boundary)
+            throw std::invalid_argument(std::string("no such mutant here: ") + mutant.name);
+        return mutant.make(scene);
     };
 }
 
-char const* name_of(Fault const fault) {
-    switch (fault) {
-    case Fault::wider_balls:
-        return "diameter 0.1 % too large";
-    case Fault::stronger_impulses:
-        return "impulses 1e-4 too large";
-    case Fault::weaker_impulses:
-        return "impulses 1e-4 too small";
-    case Fault::missed_collisions:
-        return "one collision in 10000 missed";
-    case Fault::late_collisions:
-        return "one collision in 100000 late by 1e-6";
-    case Fault::earlier_normal:
-        return "normal of 0.01 before contact";
-    case Fault::rounded_velocities:
-        return "velocities of 32 bits";
-    case Fault::moved_walls:
-        return "walls off by 0.1 %";
-    case Fault::lossy_walls:
-        return "walls of restitution 0.9999";
-    case Fault::lost_refresh:
-        return "refresh of the cells lost";
-    case Fault::stale_images:
-        return "nearest image of the start only";
-    case Fault::layered_start:
-        return "start that never leaves two dimensions";
-    case Fault::unequal_speeds:
-        return "equal speeds apart by 10 % at the start";
-    }
-    return "";
-}
+char const* name_of(Fault const fault) { return mutant_of(fault).name; }
 
 } // namespace clack::validation
