@@ -15,11 +15,10 @@ Question const question{
     "Does g(r) follow Percus and Yevick where it is right, in a dilute fluid, and Verlet and Weis"
     " in dense ones; is its contact value that of the pressure; and is S(k) for long waves the "
     "compressibility?",
-    fmt::format(
-        "{} of the contact value for itself; {} for the dilute g(r); {} for the dense one; {} "
-        "for long waves (full profile {}, {}, {} and {})",
-        percent(quick.contact), percent(quick.dilute), percent(quick.mended), percent(quick.waves),
-        percent(full.contact), percent(full.dilute), percent(full.mended), percent(full.waves)),
+    fmt::format("{} of the contact value for itself (full profile {}); {} for the dilute g(r); {} "
+                "for the dense one; {} for long waves (full profile {})",
+                percent(quick.contact), percent(full.contact), percent(quick.dilute),
+                percent(quick.mended), percent(quick.waves), percent(full.waves)),
     "several standard errors where the profile or the waves are extrapolated; what the authors "
     "leave open for the dense g(r)"};
 
