@@ -43,7 +43,9 @@ std::size_t tell(std::vector<Shift> const& all, std::string const& directory) {
     for (std::size_t k = 0; k < all.size(); ++k) {
         auto const& [old, fresh, z, p] = all[k];
         shifted += p < regression_false_alarm;
-        csv.row({old.experiment, old.state_point, cell(old.place), cell(old.mean), cell(old.error),
+        std::string point = old.state_point; // lists in it are parted as the table's cells are
+        std::replace(point.begin(), point.end(), ',', ' ');
+        csv.row({old.experiment, point, cell(old.place), cell(old.mean), cell(old.error),
                  cell(fresh.mean), cell(fresh.error), cell(z), cell(p)});
         if (k < shown && z != 0)
             std::cout << fmt::format("z = {:+9.3g}  p = {:.1e}  {} {} [{}]: {:.8g} +- {:.2g}, was "
