@@ -11,8 +11,8 @@ set xrange [0:5.3]
 @main_panel
 set bmargin at screen 0.47
 set logscale y
-set yrange [0.03:8]
-set ytics ('0.05' 0.05, '0.1' 0.1, '0.2' 0.2, '0.5' 0.5, '1' 1, '2' 2, '5' 5)
+set yrange [0.03:40]
+set ytics ('0.05' 0.05, '0.1' 0.1, '0.2' 0.2, '0.5' 0.5, '1' 1, '2' 2, '5' 5, '10' 10)
 set ylabel '{/:Italic H} − {/:Italic H}_∞ per ball' offset 0.4, 0
 set key top right samplen 2
 plot course using 2:(only('one_moving', $5)) with lines ls 1, \
