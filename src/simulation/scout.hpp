@@ -9,7 +9,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
-#include <cstdlib>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -138,8 +137,7 @@ private:
 
     // Buckets ahead of the one that is open: nearer than `near` a hint comes too late, and what is
     // asked for beyond `far` may be gone again when it is read.
-    static inline std::int64_t near = std::getenv("NEAR") ? atoi(getenv("NEAR")) : 2,
-                               far = std::getenv("FAR") ? atoi(getenv("FAR")) : 24;
+    static constexpr std::int64_t near = 2, far = 24;
 
     State const& state_;
     NextEvents<Real> const& next_;
