@@ -2,11 +2,13 @@
 // A second thread that reads ahead, so that the memory has brought what the event loop asks for.
 
 #include "scheduling/next_events.hpp"
+#include "simulation/trial.hpp"
 #include "state/glance.hpp"
 #include "state/prefetch.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -36,17 +38,19 @@ public:
         : state_(state), next_(next), search_(search), queue_(queue),
           thread_([this](std::stop_token const& stop) { run(stop); }) {}
 
-    /// May look on; once `halt` has returned it does not.
+    /// May look on, where that helps; once `halt` has returned it does not.
     void go() {
-        {
-            std::lock_guard const lock(looking_);
-            goes_ = true;
-        }
-        wake_.notify_one();
+        since_ = Clock::now();
+        if (trial_.helps()) set_going();
     }
     void halt() {
-        goes_ = false; // it lets go of the lock all the sooner
-        std::lock_guard const lock(looking_);
+        spent_ += seconds_since_go();
+        stand_still();
+    }
+
+    /// The loop takes an event.
+    void event_comes() {
+        if (++events_ == slice) end_slice();
     }
 
     /// It looks on while one of these lives.
@@ -66,6 +70,31 @@ public:
     };
 
 private:
+    using Clock = std::chrono::steady_clock;
+
+    void set_going() {
+        {
+            std::lock_guard const lock(looking_);
+            goes_ = true;
+        }
+        wake_.notify_one();
+    }
+    void stand_still() {
+        goes_ = false; // it lets go of the lock all the sooner
+        std::lock_guard const lock(looking_);
+    }
+
+    double seconds_since_go() const {
+        return std::chrono::duration<double>(Clock::now() - since_).count();
+    }
+    void end_slice() {
+        trial_.slice_done(spent_ + seconds_since_go());
+        events_ = 0;
+        spent_ = 0;
+        since_ = Clock::now();
+        if (trial_.helps() != goes_) goes_ ? stand_still() : set_going();
+    }
+
     void run(std::stop_token const& stop) {
         while (!stop.stop_requested()) {
             std::unique_lock lock(looking_);
@@ -139,6 +168,8 @@ private:
     // asked for beyond `far` may be gone again when it is read.
     static constexpr std::int64_t near = 2, far = 24;
 
+    static constexpr int slice = 8192; // events: some ten milliseconds
+
     State const& state_;
     NextEvents<Real> const& next_;
     Search const& search_;
@@ -147,6 +178,13 @@ private:
     std::mutex looking_;
     std::condition_variable_any wake_;
     std::atomic<bool> goes_ = false;
+
+    // The loop's own, in a cache line of their own.
+    alignas(64) int events_ = 0; // of the slice that is under way
+    Trial trial_;
+    double spent_ = 0;        // on the slice before it last stood still  [s]
+    Clock::time_point since_; // when it went on
+
     std::jthread thread_; // the last one: it reads the others
 };
 

@@ -70,6 +70,7 @@ public:
             if constexpr (can_look_ahead) {
                 if (queue_.looks_ahead()) LookAhead::look(state_, next_, search_, queue_);
             }
+            if (scout_) scout_->event_comes();
             laws_.time_goes_on(clock_, time);
             clock_.offset = time;
             take(ball, observe);
