@@ -3,6 +3,7 @@
 
 #include "state/ball.hpp"
 #include "state/chained_bins.hpp"
+#include "state/glance.hpp"
 #include "state/huge_pages.hpp"
 #include "state/prefetch.hpp"
 #include "state/system.hpp"
@@ -110,68 +111,39 @@ public:
 
     /// Appends the balls of a cell and of the 26 around it.
     void collect_around(Cell const& cell, BallBuffer& balls) const {
-        auto const x = lines(0, cell), y = lines(1, cell), z = lines(2, cell);
-        collect<27>(balls, [&](auto&& append) {
-            for (std::size_t in_z : z) {
-                for (std::size_t in_y : y) {
-                    std::size_t const row = in_z + in_y;
-                    append(row + x[0]);
-                    append(row + x[1]);
-                    append(row + x[2]);
-                }
-            }
-        });
+        collect<27>(balls, [&](auto&& append) { for_each_around(cell, append); });
     }
 
     /// Appends the balls of the nine cells beyond one face of a cell's surroundings.
     void collect_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
                         BallBuffer& balls) const {
-        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
-        auto const u = lines((axis + 1) % 3, cell), v = lines((axis + 2) % 3, cell);
-        collect<9>(balls, [&](auto&& append) {
-            for (std::size_t in_u : u) {
-                std::size_t const row = face + in_u;
-                append(row + v[0]);
-                append(row + v[1]);
-                append(row + v[2]);
-            }
-        });
+        collect<9>(balls, [&](auto&& append) { for_each_beyond(cell, axis, direction, append); });
     }
 
     /// Hints to the memory: where a ball is, and what `remove` and the two above will read.
     void fetch(std::int32_t ball) const { prefetch(cell_of_.data() + ball); }
-    void fetch_own(std::int32_t ball) const { prefetch(&cells_.block(index(cell_of(ball)))); }
+    void fetch_own(std::int32_t ball) const { fetch_bin(index(glance_at(ball))); }
     void fetch_around(Cell const& cell) const {
-        auto const x = lines(0, cell);
-        for (std::size_t in_z : lines(2, cell)) {
-            for (std::size_t in_y : lines(1, cell)) { // three in a row share a line or two
-                prefetch(&cells_.block(in_z + in_y + x[0]));
-                prefetch(&cells_.block(in_z + in_y + x[2]));
-            }
-        }
+        for_each_around(cell, [&](std::size_t bin) { fetch_bin(bin); });
     }
     void fetch_beyond(Cell const& cell, std::size_t axis, std::int32_t direction) const {
-        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
-        for (std::size_t in_u : lines((axis + 1) % 3, cell))
-            for (std::size_t in_v : lines((axis + 2) % 3, cell))
-                prefetch(&cells_.block(face + in_u + in_v));
+        for_each_beyond(cell, axis, direction, [&](std::size_t bin) { fetch_bin(bin); });
     }
 
-    /// What the two before would read, as far as it is in the cells' first blocks, to visit(ball);
-    /// another thread may be changing it.
+    /// For a thread that only looks at what another may be changing: the cell of a ball, and what
+    /// the two above would append, as far as it is in the cells' first blocks, to visit(ball).
+    Cell glance_at(std::int32_t ball) const {
+        Cell const& cell = cell_of(ball);
+        return {glance(cell[0]), glance(cell[1]), glance(cell[2]), glance(cell[3])};
+    }
     template <class Visit> void glance_around(Cell const& cell, Visit&& visit) const {
-        auto const x = lines(0, cell), y = lines(1, cell), z = lines(2, cell);
-        for (std::size_t in_z : z)
-            for (std::size_t in_y : y)
-                for (std::size_t in_x : x) cells_.glance_at(in_z + in_y + in_x, visit);
+        for_each_around(cell, [&](std::size_t bin) { cells_.glance_at(bin, visit); });
     }
     template <class Visit>
     void glance_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
                        Visit&& visit) const {
-        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
-        for (std::size_t in_u : lines((axis + 1) % 3, cell))
-            for (std::size_t in_v : lines((axis + 2) % 3, cell))
-                cells_.glance_at(face + in_u + in_v, visit);
+        for_each_beyond(cell, axis, direction,
+                        [&](std::size_t bin) { cells_.glance_at(bin, visit); });
     }
 
     /// The next cell along an axis, through the boundary where it is periodic.
@@ -185,6 +157,36 @@ public:
 private:
     using Cells = ChainedBins<6>; // a block is half a cache line
     using Whole [[gnu::vector_size(sizeof(Cells::Block))]] = std::int32_t;
+
+    void fetch_bin(std::size_t bin) const { prefetch(&cells_.block(bin)); }
+
+    /// Calls visit(bin) for a cell and the 26 around it.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each_around(Cell const& cell, Visit&& visit) const {
+        auto const x = lines(0, cell), y = lines(1, cell);
+        for (std::size_t const in_z : lines(2, cell)) {
+            for (std::size_t const in_y : y) {
+                std::size_t const row = in_z + in_y;
+                visit(row + x[0]);
+                visit(row + x[1]);
+                visit(row + x[2]);
+            }
+        }
+    }
+
+    /// Calls visit(bin) for the nine cells beyond one face of a cell's surroundings.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each_beyond(Cell const& cell, std::size_t axis,
+                                                std::int32_t direction, Visit&& visit) const {
+        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2];
+        auto const u = lines((axis + 1) % 3, cell), v = lines((axis + 2) % 3, cell);
+        for (std::size_t const in_u : u) {
+            std::size_t const row = face + in_u;
+            visit(row + v[0]);
+            visit(row + v[1]);
+            visit(row + v[2]);
+        }
+    }
 
     /// Appends the balls of so many bins: `visit` calls what it is given for each. Blocks are
     /// copied whole, which takes neither loop nor branch, and the part that counts is kept.

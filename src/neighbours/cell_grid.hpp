@@ -131,10 +131,10 @@ public:
     /// Hints to the memory: a ball's own entries, and what `candidates` and `refresh` will read.
     void fetch(std::int32_t ball) const { bins_.fetch(ball); }
     void fetch_candidates(std::vector<Ball<Real>> const&, std::int32_t ball) const {
-        bins_.fetch_around(bins_.cell_of(ball));
+        bins_.fetch_around(bins_.glance_at(ball));
     }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        Crossing const crossing = crossing_of(balls, ball);
+        Crossing const crossing = glance_at_crossing(balls, ball);
         bins_.fetch_own(ball);
         bins_.fetch_beyond(crossing.to, crossing.axis, crossing.direction);
     }
@@ -143,12 +143,12 @@ public:
     template <class Visit>
     void glance_at_candidates(std::vector<Ball<Real>> const&, std::int32_t ball,
                               Visit&& visit) const {
-        bins_.glance_around(bins_.cell_of(ball), visit);
+        bins_.glance_around(bins_.glance_at(ball), visit);
     }
     template <class Visit>
     void glance_at_fresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                          Visit&& visit) const {
-        Crossing const crossing = crossing_of(balls, ball);
+        Crossing const crossing = glance_at_crossing(balls, ball);
         bins_.glance_beyond(crossing.to, crossing.axis, crossing.direction, visit);
     }
 
@@ -169,11 +169,23 @@ private:
         CellBins::Cell to;
     };
     Crossing crossing_of(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        auto const axis = static_cast<std::size_t>(bins_.cell_of(ball)[3]);
-        Real const v = balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(axis)];
-        Crossing crossing{axis, v > 0 ? 1 : -1, bins_.cell_of(ball)};
+        CellBins::Cell const& cell = bins_.cell_of(ball);
+        return crossing(cell, component(balls, ball, cell[3]));
+    }
+    /// The same of what another thread may be changing.
+    Crossing glance_at_crossing(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+        CellBins::Cell const cell = bins_.glance_at(ball);
+        return crossing(cell, glance(component(balls, ball, cell[3])));
+    }
+    Crossing crossing(CellBins::Cell const& from, Real velocity) const {
+        auto const axis = static_cast<std::size_t>(from[3]);
+        Crossing crossing{axis, velocity > 0 ? 1 : -1, from};
         crossing.to[axis] = bins_.next(crossing.to[axis], crossing.direction);
         return crossing;
+    }
+    static Real const& component(std::vector<Ball<Real>> const& balls, std::int32_t ball,
+                                 std::int32_t axis) {
+        return balls[static_cast<std::size_t>(ball)].velocity[axis];
     }
 
     void cut_into(std::int32_t cells, std::vector<Ball<Real>> const& balls, Real now) {

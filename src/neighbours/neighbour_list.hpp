@@ -101,7 +101,7 @@ public:
                              [&](std::int32_t other) { prefetch(balls.data() + other); });
     }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        bins_.fetch_around(bins_.cell_of(ball));
+        bins_.fetch_around(bins_.glance_at(ball));
         glance_at_candidates(balls, ball, [&](std::int32_t other) {
             prefetch(balls.data() + other);
             prefetch(row(other));

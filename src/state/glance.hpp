@@ -6,11 +6,16 @@
 namespace clack {
 
 /// A value that was or is there. It orders nothing: good for hints, where any value will do.
+/// Numbers wider than a register are only in runs that one thread makes.
 template <class Item> Item glance(Item const& item) {
-    static_assert(std::is_trivially_copyable_v<Item> && sizeof(Item) <= sizeof(void*));
-    Item seen;
-    __atomic_load(&item, &seen, __ATOMIC_RELAXED); // atomic_ref would ask the writer for the same
-    return seen;
+    if constexpr (sizeof(Item) <= sizeof(void*)) {
+        static_assert(std::is_trivially_copyable_v<Item>);
+        Item seen;
+        __atomic_load(&item, &seen, __ATOMIC_RELAXED); // atomic_ref asks the writer for the same
+        return seen;
+    } else {
+        return item;
+    }
 }
 
 } // namespace clack
