@@ -2,6 +2,7 @@
 // The program as its users meet it: started, watched, killed.
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,7 +56,8 @@ inline std::string text_of(std::string const& path) {
 }
 
 struct Outcome {
-    int code = 0; // of exit; minus the signal's number for a process that it ended
+    int code = 0;          // of exit; minus the signal's number for a process that it ended
+    double peak_bytes = 0; // of memory that the process had at once
     std::string out, err;
 
     bool err_is_one_line() const { return !err.empty() && err.find('\n') == err.size() - 1; }
@@ -88,8 +90,10 @@ public:
 
     Outcome finish() {
         int status = 0;
-        waitpid(child_, &status, 0);
+        rusage used{};
+        wait4(child_, &status, 0, &used);
         Outcome outcome;
+        outcome.peak_bytes = 1024.0 * static_cast<double>(used.ru_maxrss);
         outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
         outcome.out = text_of(out_);
         outcome.err = text_of(err_);
