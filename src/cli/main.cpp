@@ -2,6 +2,7 @@
 #include "cli/memory.hpp"
 #include "io/file_errors.hpp"
 #include "io/provenance.hpp"
+#include "simulation/engine.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -43,9 +44,11 @@ template <class Options> void add_run_options(CLI::App& command, Options& option
     command.add_flag_callback(
         "--json", [&] { options.form = Form::json; }, "the summary as one JSON object");
     command
-        .add_option("--threads", options.threads,
-                    "1, or 2: a second one reads ahead in memory, to the same bits; for 65536 "
-                    "balls and more")
+        .add_option(
+            "--threads", options.threads,
+            fmt::format("1, or 2: a second one reads ahead in memory, to the same bits; for "
+                        "{} balls and more",
+                        reading_ahead_pays_from))
         ->type_name("N")
         ->check(CLI::Range(1, 2));
 }
