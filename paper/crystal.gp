@@ -26,13 +26,13 @@ plot 3 with lines ls 9 title 'free volume', \
 
 set tmargin at screen 0.555
 set bmargin at screen 0.37
-set yrange [0.46:0.615]
+set yrange [0.435:0.63]
 set ytics 0.05
 set ylabel 'bond order {/:Italic Q}_6'
 unset key
-set label 1 'fcc' at 0.745, 0.588 right
-set label 2 'bcc' at 0.745, 0.523 right
-set label 3 'hcp' at 0.745, 0.472 right
+set label 1 'fcc' at 0.745, 0.597 right
+set label 2 'bcc' at 0.745, 0.531 right
+set label 3 'hcp' at 0.745, 0.466 right
 plot 0.57452 with lines ls 9, 0.51069 with lines ls 3, 0.48476 with lines ls 4, \
      points using 1:8:9 with yerrorbars ls 2 pt 7
 
