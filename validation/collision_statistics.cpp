@@ -6,8 +6,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace collision_statistics;
 
 Question const question{
@@ -16,7 +14,10 @@ Question const question{
     "of finitely many balls at constant energy, and the free flights of a dilute gas neither "
     "exponential nor their number Poisson's?",
     "0.25 % for the laws of encounters; for free flights half the distance from an exponential law",
-    "half of what it does to <b^2> to lose one grazing collision in a hundred"};
+    "half of what it does to <b^2> to lose one grazing collision in a hundred",
+    Processes::one_a_state_point};
+
+namespace {
 
 /// One of the histograms of all points, with errors from the replicates.
 Csv histogram(std::vector<StatePoint> const& points,
@@ -41,6 +42,8 @@ Csv histogram(std::vector<StatePoint> const& points,
     return csv;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"boundary", ""}, {"count", "$n$"}, {"packing_fraction", "$\\eta$"}});
     std::vector<StatePoint> const points = state_points(experiment.profile());
@@ -64,11 +67,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

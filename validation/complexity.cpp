@@ -10,8 +10,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace complexity;
 
 Question const question{
@@ -21,6 +19,8 @@ Question const question{
     "0.4 in the exponent",
     "below half the distance of the integers in question it belongs to one of them alone, and the "
     "caches have room"};
+
+namespace {
 
 constexpr std::array all_work{Work::start, Work::collision};
 
@@ -100,6 +100,8 @@ Macros macros_of(Plan const& plan, std::vector<Row> const& rows) {
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     Plan const sizes = plan(experiment.profile());
     std::vector<Row> const rows = measured(sizes, experiment);
@@ -111,10 +113,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, macros_of(sizes, rows), of_timing);
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

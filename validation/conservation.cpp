@@ -11,8 +11,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace conservation;
 
 Question const question{
@@ -23,7 +21,10 @@ Question const question{
     "place and of the flight of one epoch; walls: two roundings of the side",
     "rounding errors wander; these are sixteen standard errors of it, so that chance plays no "
     "part, "
-    "and those of the overlap do not grow with the length of the run"};
+    "and those of the overlap do not grow with the length of the run",
+    Processes::one_a_state_point};
+
+namespace {
 
 struct Run {
     StatePoint point;
@@ -90,6 +91,8 @@ Macros macros_of(std::vector<Run> const& runs, Verdict const verdict) {
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     std::vector<Run> runs;
     std::vector<Verdict> verdicts;
@@ -119,11 +122,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

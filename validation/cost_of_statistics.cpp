@@ -15,8 +15,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace cost_of_statistics;
 
 Question const question{
@@ -29,6 +27,8 @@ Question const question{
     "far from the slope 0 of a bias and from the -1 of a method that integrates; a tenth of the "
     "bias "
     "of the softest balls; the biases of the others are shown"};
+
+namespace {
 
 constexpr double slope_margin = 0.15, bias_margin = 3e-3;
 
@@ -112,6 +112,8 @@ Csv csv_of(std::vector<Line> const& lines, Plan const& plan) {
     return csv;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     Plan const plan = cost_of_statistics::plan(experiment.profile());
     std::vector<Line> const lines = measured(experiment, plan);
@@ -142,10 +144,4 @@ Verdict ask(Experiment& experiment) {
     return together(judgements);
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

@@ -6,8 +6,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace crystal;
 
 Question const question{
@@ -18,7 +16,10 @@ Question const question{
     percent(margin) + " of Z; " + percent(divergence_margin) + " of the slope of the divergence; " +
         fmt::format("{:.3f} of the bond order", order_margin),
     "four tenths of what a diameter wrong by 0.1 % does and room for the terms of order 1/N that "
-    "are left out; twice 1/N; half of what parts the lattice from the nearest other"};
+    "are left out; twice 1/N; half of what parts the lattice from the nearest other",
+    Processes::one_a_state_point};
+
+namespace {
 
 Csv csv_of(std::vector<PeriodicRun> const& points,
            std::vector<std::vector<Measurement>> const& all) {
@@ -45,6 +46,8 @@ Csv curves() {
     return csv;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     auto const points = runs(experiment.profile());
     auto const all = experiment.campaign().replicates(tasks_of(points, measure));
@@ -70,11 +73,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

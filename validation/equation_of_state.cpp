@@ -7,8 +7,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace equation_of_state;
 
 Question const question{
@@ -22,7 +20,10 @@ Question const question{
                 percent(contact_margin(Profile::quick)), percent(contact_margin(Profile::full))),
     "two thirds (one third) of what a diameter wrong by 0.1 % does where it does least; the "
     "contact "
-    "value is extrapolated"};
+    "value is extrapolated",
+    Processes::one_a_state_point};
+
+namespace {
 
 constexpr std::size_t kinds = 6; // of comparisons at a point
 
@@ -95,6 +96,8 @@ Macros macros_of(std::vector<StatePoint> const& points, Ledger const& ledger,
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     Profile const profile = experiment.profile();
     auto const points = state_points(profile);
@@ -116,11 +119,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

@@ -4,13 +4,12 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace equipartition;
 
 Question const question{
     "equipartition", "Do the three directions share the energy of balls between walls equally?",
-    percent(margin) + " of a third", "a hundredth of what a direction that is left out lacks"};
+    percent(margin) + " of a third", "a hundredth of what a direction that is left out lacks",
+    Processes::one_a_state_point};
 
 Verdict ask(Experiment& experiment) {
     auto const replicates = experiment.campaign().replicates(tasks_of(state_points, measure));
@@ -20,11 +19,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, Macros("Equipartition"));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

@@ -11,8 +11,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace atlas;
 
 Question const question{
@@ -25,6 +23,8 @@ Question const question{
         allowance),
     "the answer is of quad precision or closed form; overlaps and the energy are held to the same, "
     "where physics has no answer"};
+
+namespace {
 
 char const* name_of(Kind const kind) {
     constexpr std::array names{"ok",      "loses digits", "wrong order",
@@ -181,6 +181,8 @@ void show(Scene const& scene, std::vector<Contender> const& contenders, Row cons
     }
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     Atlas atlas{scenes(experiment.profile()), contenders(), {}};
     SoftBalls soft;
@@ -202,10 +204,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

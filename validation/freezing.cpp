@@ -4,8 +4,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace freezing;
 
 Question const question{
@@ -16,7 +14,10 @@ Question const question{
     percent(margin) + " of Z; " + percent(meeting_margin) + " of the pressure of coexistence",
     "about half of what a diameter wrong by 0.1 % does; some twice what that much of Z in the "
     "fluid "
-    "shifts the pressure by"};
+    "shifts the pressure by",
+    Processes::one_a_state_point};
+
+namespace {
 
 using All = std::vector<std::vector<Measurement>>;
 
@@ -42,6 +43,8 @@ Csv curves() {
     }
     return csv;
 }
+
+} // namespace
 
 Verdict ask(Experiment& experiment) {
     Branches const both = branches(experiment.profile());
@@ -78,11 +81,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

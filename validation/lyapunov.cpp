@@ -11,8 +11,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace lyapunov;
 
 Question const question{
@@ -25,6 +23,8 @@ Question const question{
     "beyond what quad rounds and what curves at the last distance, and far less than a wrong term "
     "would change; at numbers and packing fractions that it was not fitted to, two collisions per "
     "ball of a horizon of thirty"};
+
+namespace {
 
 constexpr double twin_margin = 1e-3, formula_margin = 0.06;
 
@@ -136,6 +136,8 @@ Macros macros_of(std::vector<Row> const& tangent, std::vector<Row> const& twins,
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     std::vector<Row> tangent = tangent_rows(experiment), twins = twin_rows(experiment);
     std::vector<Row*> judged;
@@ -160,10 +162,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

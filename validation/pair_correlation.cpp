@@ -4,8 +4,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace pair_correlation;
 
 constexpr Margins quick = margins(Profile::quick), full = margins(Profile::full);
@@ -20,7 +18,10 @@ Question const question{
                 percent(quick.contact), percent(full.contact), percent(quick.dilute),
                 percent(quick.mended), percent(quick.waves), percent(full.waves)),
     "several standard errors where the profile or the waves are extrapolated; what the authors "
-    "leave open for the dense g(r)"};
+    "leave open for the dense g(r)",
+    Processes::one_a_state_point};
+
+namespace {
 
 using All = std::vector<std::vector<Measurement>>;
 
@@ -63,6 +64,8 @@ Csv waves_of(std::vector<StatePoint> const& points, All const& all) {
     return csv;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     auto const points = state_points(experiment.profile());
     auto const all = experiment.campaign().replicates(tasks_of(points, measure));
@@ -78,11 +81,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

@@ -10,15 +10,16 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace power;
 
 Question const question{
     "power",
     "Is every mutant of the engine, one rule of it exchanged, caught by an experiment at the size "
     "of its quick profile?",
-    "none", "each mutant must differ, by the experiment's own margin and risk of a false alarm"};
+    "none", "each mutant must differ, by the experiment's own margin and risk of a false alarm",
+    Processes::one_a_state_point};
+
+namespace {
 
 struct Row {
     Trial trial;
@@ -65,6 +66,8 @@ std::string table_of(std::vector<Row> const& rows) {
     return tabular("llrrl", {"mutant", "experiment", "$z$", "cost, s", "caught"}, cells);
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     std::vector<Row> rows;
     std::size_t caught = 0, stopped = 0;
@@ -93,11 +96,4 @@ Verdict ask(Experiment& experiment) {
     return caught == rows.size() ? Verdict::agrees : Verdict::differs;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

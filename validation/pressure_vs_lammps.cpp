@@ -12,8 +12,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace pressure_vs_lammps;
 
 Question const question{
@@ -22,6 +20,8 @@ Question const question{
     "hard balls and of theory once they are widened to a Barker-Henderson diameter of 1?",
     "1.5 % of the collisional part Zc (full profile 0.5 %)",
     "half (a third) of what softness does to balls that are not widened, where it does least"};
+
+namespace {
 
 /// A state point and what was measured there.
 struct Row {
@@ -117,6 +117,8 @@ Macros macros_of(std::vector<Row> const& rows, Profile const profile) {
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     std::vector<Row> const rows = measured(experiment);
     Profile const profile = experiment.profile();
@@ -128,10 +130,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

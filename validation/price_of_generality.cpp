@@ -11,8 +11,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace price;
 
 Question const question{
@@ -22,6 +20,8 @@ Question const question{
     "0.9 times the collisions per second of each method",
     "beside the bounds of its choices two methods are equally good; the costs are charted, not "
     "judged"};
+
+namespace {
 
 struct Plan {
     Plain plain;
@@ -180,6 +180,8 @@ Macros macros_of(Plan const& plan, std::vector<Price> const& costs, std::vector<
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     Plan const all = plan(experiment.profile());
     auto const costs = prices(all, experiment.campaign());
@@ -205,10 +207,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

@@ -6,8 +6,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace relaxation;
 
 Question const question{
@@ -16,7 +14,9 @@ Question const question{
     "Boltzmann's H fall, never rise, and fall as fast as Kac's walk, the law of the dilute gas?",
     percent(excess_margin) + " of what H has to lose from the first look on; " +
         percent(collisions_margin) + " of the collisions",
-    "a relaxation a tenth too fast or too slow would not pass"};
+    "a relaxation a tenth too fast or too slow would not pass", Processes::one_a_state_point};
+
+namespace {
 
 void add_course(Csv& csv, StatePoint const& point, std::vector<Measurement> const& gas,
                 std::vector<Measurement> const& walks) {
@@ -28,6 +28,8 @@ void add_course(Csv& csv, StatePoint const& point, std::vector<Measurement> cons
                  cell(expected.value), cell(expected.error)});
     }
 }
+
+} // namespace
 
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"start", "start"}, {"time_per_mean_free_time", "$t\\nu$"}});
@@ -54,11 +56,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

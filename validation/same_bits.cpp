@@ -16,8 +16,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 Question const question{
     "same_bits",
     "Do all searches, queues, vector instructions, optimisation levels and compilers move the "
@@ -25,6 +23,8 @@ Question const question{
     "none",
     "one hash a scene over the collision sequence, the bits of its times and of the outgoing "
     "velocities; two different sequences share a hash once in 2^64"};
+
+namespace {
 
 /// The hashes that one build gives.
 struct Build {
@@ -75,6 +75,8 @@ std::vector<Build> builds() {
     return all;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     auto const all = builds();
     std::map<std::string, std::set<std::uint64_t>> hashes;
@@ -114,10 +116,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

@@ -7,8 +7,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace self_diffusion;
 
 Question const question{
@@ -21,7 +19,10 @@ Question const question{
         percent(route_margin), percent(dilute_margin), percent(slope_margin)),
     "the tenth part of what a fluid adds to Enskog's value; half of what Sonine's polynomials "
     "beyond "
-    "the first add; what Enskog's viscosity and the next power of 1/side may be off"};
+    "the first add; what Enskog's viscosity and the next power of 1/side may be off",
+    Processes::one_a_state_point};
+
+namespace {
 
 Csv curve() {
     Csv csv({"packing_fraction", "D_speedy_over_enskog"});
@@ -43,6 +44,8 @@ void add_point(Csv& csv, StatePoint const& point, std::vector<Measurement> const
              cell(deficit(point.fluid, seen)), cell(infinite.value), cell(infinite.error),
              cell(1 / point.fluid.side())});
 }
+
+} // namespace
 
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"packing_fraction", "$\\eta$"}, {"count", "$n$"}});
@@ -76,11 +79,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

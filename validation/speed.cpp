@@ -11,8 +11,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace speed;
 using clack::validation::name_of;
 using speed::name_of;
@@ -23,6 +21,8 @@ Question const question{
     "ratios on a shared machine wander by so much; the aims (5 times the heap from 4000 balls on, "
     "walls within a tenth of periodic, a cost that grows 2.5-fold at most) are reported and not "
     "judged"};
+
+namespace {
 
 /// What is measured of one state point, from the campaign as far as it has it.
 Found found_at(Point const& point, int const replicates, Experiment& experiment) {
@@ -203,6 +203,8 @@ void print(std::vector<Found> const& all, std::vector<Target> const& targets) {
             if (target.yardstick == yardstick) print(target);
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     std::vector<Found> const all = measured(plan(experiment.profile()), experiment);
     std::vector<Target> const targets = targets_of(all);
@@ -219,10 +221,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

@@ -4,8 +4,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace system_size;
 
 Question const question{
@@ -16,7 +14,10 @@ Question const question{
         " of the slope against 1/N",
     "half of what a diameter wrong by 0.1 % does; N in the place of N - 1 would change the slope "
     "by "
-    "more than itself"};
+    "more than itself",
+    Processes::one_a_state_point};
+
+namespace {
 
 Csv csv_of(std::vector<PeriodicRun> const& points,
            std::vector<std::vector<Measurement>> const& all) {
@@ -29,6 +30,8 @@ Csv csv_of(std::vector<PeriodicRun> const& points,
     }
     return csv;
 }
+
+} // namespace
 
 Verdict ask(Experiment& experiment) {
     auto const points = state_points(experiment.profile());
@@ -45,11 +48,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

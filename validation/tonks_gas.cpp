@@ -6,8 +6,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace tonks_gas;
 
 Question const question{
@@ -18,7 +16,10 @@ Question const question{
     "each "
     "ghost on each wall",
     "roundings at worst all to one side; a hit more or less than a ghost's due; without chance, so "
-    "without a false alarm"};
+    "without a false alarm",
+    Processes::one_a_state_point};
+
+namespace {
 
 /// One of the values at one look, over the starts.
 Estimate over_starts(std::vector<Measurement> const& replicates, int const look,
@@ -37,6 +38,8 @@ void add_course(Csv& csv, StatePoint const& point, std::vector<Measurement> cons
                  cell(over_starts(replicates, k, wall_bound).value)});
     }
 }
+
+} // namespace
 
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"count", "$n$"}, {"precision", "precision"}});
@@ -70,11 +73,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

@@ -13,8 +13,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace trajectories_vs_lammps;
 
 Question const question{
@@ -28,6 +26,8 @@ Question const question{
     "one or two collisions set a ball back by about v t_c / 2 each, and what is left is of the "
     "order "
     "t_c^2; balls whose collisions follow one another within 1.5 t_c are left out"};
+
+namespace {
 
 std::vector<Measured> measured(Experiment& experiment, std::string const& deck) {
     std::vector<Measured> all;
@@ -159,6 +159,8 @@ Macros macros_of(std::vector<Measured> const& all) {
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     std::string const deck = reference::lammps_deck("lammps_cube.in");
     std::vector<Measured> const all = measured(experiment, deck);
@@ -171,10 +173,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

@@ -4,8 +4,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace transport;
 
 Question const question{
@@ -17,7 +15,8 @@ Question const question{
     "a quarter and a sixth of what collisions add to Boltzmann's values of the first and the last "
     "at the highest packing fraction that is judged, and room for the 1/n of 108 balls; what "
     "Enskog "
-    "leaves out of the bulk viscosity at packing fraction 0.05"};
+    "leaves out of the bulk viscosity at packing fraction 0.05",
+    Processes::one_a_state_point};
 
 Verdict ask(Experiment& experiment) {
     auto const points = state_points(experiment.profile());
@@ -37,11 +36,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

@@ -16,8 +16,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 Question const question{
     "two_threads",
     "Does a second thread that reads ahead leave every bit alone, and how much sooner is a run "
@@ -25,6 +23,8 @@ Question const question{
     "none",
     "one hash over the collision sequence with one thread and with two; how much sooner is "
     "reported and not judged, since it is the machine's as much as the engine's"};
+
+namespace {
 
 struct Point {
     std::int64_t count;
@@ -119,6 +119,8 @@ std::string table_of(std::vector<Found> const& all) {
     return tabular("rrrrr", {"$n$", "$\\eta$", "one thread", "two threads", "times as fast"}, rows);
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     constexpr int replicates = 3;
     std::vector<Found> all;
@@ -145,10 +147,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

@@ -7,8 +7,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace velocity_autocorrelation;
 
 Question const question{
@@ -19,7 +17,10 @@ Question const question{
                 decay_margin, percent(tail_margin)),
     "what a rate wrong by 1.4 % does to C where it does most; Enskog's coefficients in the tail "
     "and "
-    "how it is read"};
+    "how it is read",
+    Processes::one_a_state_point};
+
+namespace {
 
 void add_curve(Csv& csv, StatePoint const& point, std::vector<Measurement> const& seen,
                std::vector<Measurement> const& walks) {
@@ -40,6 +41,8 @@ void add_curve(Csv& csv, StatePoint const& point, std::vector<Measurement> const
                  cell(time > 0 ? tail(point.fluid, time) : 1), cell(infinite)});
     }
 }
+
+} // namespace
 
 Verdict ask(Experiment& experiment) {
     Ledger ledger({{"packing_fraction", "$\\eta$"}, {"count", "$n$"}});
@@ -63,11 +66,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, Macros("VelocityAutocorrelation"));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

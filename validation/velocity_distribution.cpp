@@ -12,8 +12,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace velocity_distribution;
 
 Question const question{
@@ -21,7 +19,9 @@ Question const question{
     "Do balls that start with equal speeds in a cube with walls relax to the exact velocity law of "
     "finitely many balls at constant energy?",
     "half the distance of the fourth moment from Maxwell and Boltzmann's",
-    "their law would not pass for the exact one"};
+    "their law would not pass for the exact one", Processes::one_a_state_point};
+
+namespace {
 
 /// A state point and what was measured there.
 struct Row {
@@ -142,6 +142,8 @@ Macros macros_of(std::vector<Row> const& rows, Course const& course, Ledger cons
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     auto const points = state_points(experiment.profile());
     Relaxation const relaxation = relaxation_of(experiment.profile());
@@ -162,11 +164,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, macros_of(rows, course, ledger));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

@@ -4,8 +4,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace virial_coefficients;
 
 Question const question{
@@ -15,7 +13,10 @@ Question const question{
     fmt::format("{} of B2; {} of B3; {} of B4 (full profile {:g} times as much)",
                 percent(margins[0]), percent(margins[1]), percent(margins[2]),
                 part_of_margin(Profile::full)),
-    "half of what a diameter wrong by 0.1 % does to B2; some five standard errors"};
+    "half of what a diameter wrong by 0.1 % does to B2; some five standard errors",
+    Processes::one_a_state_point};
+
+namespace {
 
 /// (Z - 1 - B2 eta) / eta^2, which begins as B3 + B4 eta, beside the series with more and more of
 /// its orders.
@@ -50,6 +51,8 @@ Csv curves() {
     return csv;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     auto const points = runs(experiment.profile());
     auto const all = experiment.campaign().replicates(tasks_of(points, measure));
@@ -69,11 +72,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, std::move(macros));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

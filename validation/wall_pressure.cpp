@@ -7,8 +7,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace wall_pressure;
 
 constexpr Margins quick = margins(Profile::quick), full = margins(Profile::full);
@@ -26,7 +24,10 @@ Question const question{
         percent(full.two_collisions), percent(quick.many), percent(quick.extrapolated),
         percent(full.extrapolated)),
     "four tenths of what walls off by 0.1 % do to two balls; three times the error of theory and "
-    "less than half of what such walls do to the densest; several standard errors"};
+    "less than half of what such walls do to the densest; several standard errors",
+    Processes::one_a_state_point};
+
+namespace {
 
 /// Pressure of a cube of many balls and what theory makes of it, term after term.
 struct Row {
@@ -95,6 +96,8 @@ Macros macros_of(std::vector<Row> const& rows, Margins const& allowed) {
     return macros;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     auto const points = state_points(experiment.profile());
     auto const all = experiment.campaign().replicates(tasks_of(points, measure));
@@ -110,11 +113,4 @@ Verdict ask(Experiment& experiment) {
     return conclude(experiment, ledger, macros_of(rows, allowed));
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask,
-                                  clack::validation::Processes::one_a_state_point);
-}

@@ -16,8 +16,6 @@
 
 namespace clack::validation {
 
-namespace {
-
 using namespace work_precision;
 
 Question const question{
@@ -29,6 +27,8 @@ Question const question{
     "from float to long double over that by the Lyapunov exponent: 1 +- 0.15",
     "exponents fluctuate over the few collisions per ball until a run in a floating type departs "
     "from the oracle's"};
+
+namespace {
 
 std::vector<double> frame_steps(StatePoint const& point, Profile const profile) {
     std::vector<double> steps{0.3, 0.1, 0.03, 0.01};
@@ -196,6 +196,8 @@ Csv csv_of(std::vector<Row> const& rows) {
     return csv;
 }
 
+} // namespace
+
 Verdict ask(Experiment& experiment) {
     std::vector<Row> const rows = measured(experiment);
     std::vector<Comparison> comparisons;
@@ -228,10 +230,4 @@ Verdict ask(Experiment& experiment) {
     return verdict;
 }
 
-} // namespace
-
 } // namespace clack::validation
-
-int main(int argc, char** argv) {
-    return clack::validation::run(argc, argv, clack::validation::question, clack::validation::ask);
-}

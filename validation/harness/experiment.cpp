@@ -15,9 +15,9 @@ namespace clack::validation {
 namespace {
 
 /// A law of nature that was broken is a verdict too.
-Verdict ask_or_break(Experiment& experiment, std::function<Verdict(Experiment&)> const& ask) {
+Verdict answer_or_break(Experiment& experiment, std::function<Verdict(Experiment&)> const& answer) {
     try {
-        return ask(experiment);
+        return answer(experiment);
     } catch (LawBroken const& broken) {
         std::cerr << fmt::format("{}: {}\n", experiment.stem(), broken.what());
         return Verdict::differs;
@@ -26,8 +26,8 @@ Verdict ask_or_break(Experiment& experiment, std::function<Verdict(Experiment&)>
 
 } // namespace
 
-Experiment::Experiment(Question question, Options options)
-    : question_(std::move(question)), options_(std::move(options)),
+Experiment::Experiment(Question asked, Options options)
+    : question_(std::move(asked)), options_(std::move(options)),
       campaign_(question_.stem, options_.directory, program_hash(), options_.seed_set,
                 options_.share) {}
 
@@ -65,24 +65,24 @@ void Experiment::conclude(Verdict const verdict) const {
                            name_of(verdict), significant(seconds, 2)));
 }
 
-int run(int const argc, char const* const* const argv, Question const& question,
-        std::function<Verdict(Experiment&)> const& ask, Processes const processes) {
+int run(int const argc, char const* const* const argv, Question const& asked,
+        std::function<Verdict(Experiment&)> const& answer) {
     try {
-        auto const options = parse_options(argc, argv, question.stem, question.text);
+        auto const options = parse_options(argc, argv, asked.stem, asked.text);
         if (!options) return 0;
-        if (processes == Processes::one && options->share.kind != Share::Kind::all) {
+        if (asked.processes == Processes::one && options->share.kind != Share::Kind::all) {
             if (options->share.kind == Share::Kind::list) return 0;
             throw InputError("--point: this experiment cannot be shared out");
         }
-        Experiment experiment(question, *options);
-        Verdict const verdict = ask_or_break(experiment, ask);
+        Experiment experiment(asked, *options);
+        Verdict const verdict = answer_or_break(experiment, answer);
         experiment.conclude(verdict);
-        std::cout << fmt::format("{}: {}\n", question.stem, name_of(verdict));
+        std::cout << fmt::format("{}: {}\n", asked.stem, name_of(verdict));
         return exit_code(verdict);
     } catch (ShareDone const&) {
         return 0;
     } catch (InputError const& mistake) {
-        std::cerr << fmt::format("{}: {}\n", question.stem, mistake.what());
+        std::cerr << fmt::format("{}: {}\n", asked.stem, mistake.what());
         return 2;
     }
 }

@@ -14,18 +14,23 @@
 
 namespace clack::validation {
 
+/// Whether an experiment may be measured by many processes: it may when it hands its state points
+/// to the campaign as tasks, before it does anything else.
+enum class Processes { one, one_a_state_point };
+
 /// One question asked of the engine.
 struct Question {
     std::string stem;   // the name of the experiment's source, data, plot script and figure
     std::string text;   // what is asked
     std::string margin; // what difference would not matter
     std::string reason; // why it would not
+    Processes processes = Processes::one;
 };
 
 /// The run of an experiment: its options, its memory, and where its results go.
 class Experiment {
 public:
-    Experiment(Question question, Options options);
+    Experiment(Question asked, Options options);
 
     std::string const& stem() const { return question_.stem; }
     Profile profile() const { return options_.profile; }
@@ -49,14 +54,15 @@ private:
     Campaign campaign_;
 };
 
-/// Whether an experiment may be measured by many processes: it may when it hands its state points
-/// to the campaign as tasks, before it does anything else.
-enum class Processes { one, one_a_state_point };
+/// What an experiment's source defines, and nothing else: the main of all experiments, which the
+/// build links to it, runs the two.
+extern Question const question;
+Verdict ask(Experiment& experiment);
 
 /// Runs an experiment as a program: reads the options, asks, prints the verdict.
 /// Returns the exit code: 0 agrees (or help was asked for), 1 differs or undecided, or a law of
 /// nature was broken; 2 the user's mistake.
-int run(int argc, char const* const* argv, Question const& question,
-        std::function<Verdict(Experiment&)> const& ask, Processes processes = Processes::one);
+int run(int argc, char const* const* argv, Question const& asked,
+        std::function<Verdict(Experiment&)> const& answer);
 
 } // namespace clack::validation

@@ -15,11 +15,11 @@ using namespace clack::validation;
 
 namespace {
 
-Question const question{"demo", "does two and two make four?", "none", "it is arithmetic"};
+Question const demo{"demo", "does two and two make four?", "none", "it is arithmetic"};
 
 int run_with(std::vector<char const*> arguments, std::function<Verdict(Experiment&)> const& ask) {
     arguments.insert(arguments.begin(), "demo");
-    return run(static_cast<int>(arguments.size()), arguments.data(), question, ask);
+    return run(static_cast<int>(arguments.size()), arguments.data(), demo, ask);
 }
 
 Verdict never(Experiment&) { throw std::logic_error("must not be asked"); }
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(ledger_is_judged_together_and_left_behind) {
     auto const concluded = [&](double const measured, double const to_be_told_apart) {
         Options options;
         options.directory = directory.path;
-        Experiment experiment(question, options);
+        Experiment experiment(demo, options);
         Ledger ledger({Key{"sum", "$s$"}});
         ledger.compare({"2"}, {"four", "$4$"},
                        {.measured = {4, 0.0078125}, .reference = 4, .margin = 0.125});
