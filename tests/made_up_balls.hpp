@@ -6,7 +6,7 @@
 #include "state/ball.hpp"
 #include "state/snapshot.hpp"
 #include "state/system.hpp"
-#include "validation/harness/lattice_start.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -7,9 +7,9 @@
 #include "reference/finite_size.hpp"
 #include "reference/free_flights.hpp"
 #include "validation/harness/engine_maker.hpp"
-#include "validation/harness/goodness_of_fit.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/many_tests.hpp"
+#include "validation/statistics/goodness_of_fit.hpp"
+#include "validation/statistics/verdict.hpp"
 
 #include <fmt/format.h>
 

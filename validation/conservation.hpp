@@ -5,7 +5,7 @@
 #include "state/errors.hpp"
 #include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/experiment.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // grown along the very run, until it decides whom the balls meet.
 
 #include "observables/tangent_vector.hpp"
-#include "validation/harness/lattice_start.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -4,8 +4,8 @@
 #include "observables/bond_order.hpp"
 #include "validation/crystal.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/straight_line.hpp"
 #include "validation/periodic_run.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <cmath>
 #include <vector>

@@ -2,8 +2,8 @@
 // How far the engine's floating types last beside the limits of their rounding: what
 // work_precision judges, and what it tells of the distance to the drawn lines.
 
-#include "validation/harness/latex.hpp"
-#include "validation/harness/verdict.hpp"
+#include "validation/harness/tables.hpp"
+#include "validation/statistics/verdict.hpp"
 #include "validation/work_precision.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "observables/structure_factor.hpp"
 #include "reference/pair_distribution.hpp"
 #include "validation/equation_of_state.hpp"
-#include "validation/harness/straight_line.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <array>
 #include <cmath>

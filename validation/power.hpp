@@ -5,7 +5,7 @@
 #include "state/errors.hpp"
 #include "validation/conservation.hpp"
 #include "validation/equation_of_state.hpp"
-#include "validation/harness/mutants.hpp"
+#include "validation/mutants/mutants.hpp"
 #include "validation/velocity_distribution.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "reference/kac_walk.hpp"
 #include "reference/velocity_laws.hpp"
 #include "validation/harness/engine_maker.hpp"
-#include "validation/harness/lattice_start.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <fmt/format.h>
 

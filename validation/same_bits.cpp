@@ -1,7 +1,7 @@
 // Do all searches, queues, instructions and compilers move the balls to the same last bit?
 
 #include "validation/harness/experiment.hpp"
-#include "validation/harness/one_way.hpp"
+#include "validation/same_bits.hpp"
 
 #include <fmt/format.h>
 

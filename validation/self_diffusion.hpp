@@ -3,8 +3,8 @@
 
 #include "reference/enskog.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/straight_line.hpp"
 #include "validation/self_motion.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <fmt/format.h>
 

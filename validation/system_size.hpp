@@ -2,8 +2,8 @@
 // How the pressure depends on the number of balls: state points, one measurement, and the law.
 
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/straight_line.hpp"
 #include "validation/periodic_run.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <cmath>
 #include <vector>

@@ -4,9 +4,9 @@
 #include "reference/ghost_chain.hpp"
 #include "reference/triangle_wave.hpp"
 #include "validation/harness/engine_maker.hpp"
-#include "validation/harness/lattice_start.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/worse.hpp"
+#include "validation/lattice_start.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include "reference/enskog.hpp"
 #include "reference/kac_walk.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/straight_line.hpp"
 #include "validation/self_motion.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <fmt/format.h>
 

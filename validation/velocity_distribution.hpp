@@ -3,10 +3,10 @@
 
 #include "reference/velocity_laws.hpp"
 #include "validation/harness/engine_maker.hpp"
-#include "validation/harness/goodness_of_fit.hpp"
-#include "validation/harness/independence.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/many_tests.hpp"
+#include "validation/statistics/estimate.hpp"
+#include "validation/statistics/goodness_of_fit.hpp"
+#include "validation/statistics/verdict.hpp"
 
 #include <fmt/format.h>
 

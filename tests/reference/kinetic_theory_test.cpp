@@ -2,7 +2,7 @@
 #include "reference/free_flights.hpp"
 #include "reference/kac_walk.hpp"
 #include "reference/two_balls.hpp"
-#include "validation/harness/lattice_start.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <boost/test/unit_test.hpp>
 

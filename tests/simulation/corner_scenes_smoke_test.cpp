@@ -1,7 +1,7 @@
 // Scenes at which an engine made for a gas that fills its cube could go wrong, slow down or swell.
 
 #include "tests/made_up_balls.hpp"
-#include "validation/harness/processor_time.hpp"
+#include "validation/timing.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -6,7 +6,7 @@
 //   instruction_count SCENE       moves its balls and prints how many collisions `counted` made
 
 #include "simulation/build_engine.hpp"
-#include "validation/harness/lattice_start.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <cmath>
 #include <cstdio>

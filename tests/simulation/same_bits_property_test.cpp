@@ -8,7 +8,7 @@
 #include "simulation/epoch.hpp"
 #include "simulation/trial.hpp"
 #include "tests/made_up_balls.hpp"
-#include "validation/harness/lattice_start.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 #include "state/errors.hpp"
 #include "validation/conservation.hpp"
-#include "validation/harness/mutants.hpp"
+#include "validation/mutants/mutants.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,7 +2,7 @@
 // More engines with one rule exchanged, for the laws of how balls meet and mix.
 
 #include "scenes/scene.hpp"
-#include "validation/harness/mutant_models.hpp"
+#include "validation/mutants/mutant_models.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -12,7 +12,7 @@
 
 #include "state/errors.hpp"
 #include "tests/validation/mutants.hpp"
-#include "validation/harness/mutants.hpp"
+#include "validation/mutants/mutants.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "tests/reference/needs_lammps.hpp"
 #include "validation/collision_prefix.hpp"
-#include "validation/harness/mutant_models.hpp"
+#include "validation/mutants/mutant_models.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,9 +4,9 @@
 #include "validation/velocity_relaxation.hpp"
 
 #include "tests/validation/harness/temporary_directory.hpp"
-#include "validation/harness/mutants.hpp"
-#include "validation/harness/regression.hpp"
-#include "validation/harness/seeds.hpp"
+#include "validation/harness/campaign.hpp"
+#include "validation/mutants/mutants.hpp"
+#include "validation/tools/regression.hpp"
 
 #include <boost/test/unit_test.hpp>
 

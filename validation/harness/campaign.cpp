@@ -1,15 +1,15 @@
 #include "validation/harness/campaign.hpp"
 
 #include "state/errors.hpp"
-#include "validation/harness/processor_time.hpp"
-#include "validation/harness/seeds.hpp"
-#include "validation/harness/write_file.hpp"
+#include "validation/harness/tables.hpp"
 
+#include <boost/algorithm/string.hpp>
+#include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 
-#include <algorithm>
-#include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -20,51 +20,28 @@ namespace clack::validation {
 
 namespace {
 
-/// The end of a line that was written whole.
-constexpr char line_end = ';';
+constexpr char const* line_end = " ;"; // of a line that was written whole
 
 struct Line {
     std::string state_point;
-    int replicate;
-    double seconds;
-    Measurement values;
+    int number = 0;
+    double seconds = 0;
+    Measurement values = {};
 };
 
-std::string written(Line const& line, std::uint64_t const seed) {
-    return fmt::format("{}|{}|{}|{:.4f}|{} {}", line.state_point, line.replicate, seed,
-                       line.seconds, fmt::join(line.values, " "), line_end);
-}
-
-template <class Number> bool parse(std::string const& text, Number& number) {
-    char const* const end = text.data() + text.size();
-    auto const [stopped, failure] = std::from_chars(text.data(), end, number);
-    return failure == std::errc() && stopped == end;
-}
-
+/// The line of one replicate; nothing where it was not written whole.
 std::optional<Line> read(std::string const& text) {
-    Line line;
-    std::istringstream stream(text);
-    std::string replicate, seed, seconds, values;
-    if (text.empty() || text.back() != line_end || !std::getline(stream, line.state_point, '|') ||
-        !std::getline(stream, replicate, '|') || !std::getline(stream, seed, '|') ||
-        !std::getline(stream, seconds, '|') || !std::getline(stream, values, line_end))
+    std::vector<std::string> parts; // state point, number, seed, seconds, values
+    boost::split(parts, text, boost::is_any_of("|"));
+    Line line{parts[0]};
+    if (parts.size() != 5 || !text.ends_with(line_end) ||
+        !boost::conversion::try_lexical_convert(parts[1], line.number) ||
+        !boost::conversion::try_lexical_convert(parts[3], line.seconds))
         return std::nullopt;
-    if (!parse(replicate, line.replicate) || !parse(seconds, line.seconds)) return std::nullopt;
-    std::istringstream numbers(values);
-    for (std::string number; numbers >> number;)
-        if (!parse(number, line.values.emplace_back())) return std::nullopt;
+    std::istringstream values(parts[4]);
+    for (std::string value; values >> value && value != ";";)
+        line.values.push_back(std::strtod(value.c_str(), nullptr)); // numbers or not
     return line;
-}
-
-/// Files that processes of one state point each have left beside the campaign's own.
-std::vector<std::filesystem::path> parts_of(std::filesystem::path const& whole) {
-    std::vector<std::filesystem::path> parts;
-    std::string const start = whole.filename().string() + '.';
-    std::error_code none; // a folder that is not there has none
-    for (auto const& entry : std::filesystem::directory_iterator(whole.parent_path(), none))
-        if (entry.path().filename().string().starts_with(start)) parts.push_back(entry.path());
-    std::sort(parts.begin(), parts.end());
-    return parts;
 }
 
 std::string contents(std::filesystem::path const& path) {
@@ -72,63 +49,92 @@ std::string contents(std::filesystem::path const& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Where a process leaves what it measured of one state point, beside the campaign's own file.
+std::filesystem::path part_of(std::filesystem::path const& whole, std::size_t const point) {
+    return whole.string() + fmt::format(".{}", point);
+}
+
+/// Processor time of this program so far, and of the programs that it has run.  [s]
+double processor_seconds_in_all() {
+    double seconds = 0;
+    for (auto const who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+        rusage used{};
+        getrusage(who, &used);
+        for (timeval const& part : {used.ru_utime, used.ru_stime})
+            seconds += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
+    }
+    return seconds;
+}
+
 } // namespace
 
-Campaign::Campaign(std::string stem, std::filesystem::path const& directory,
+std::uint64_t hash_of(std::string_view const text) {
+    std::uint64_t bits = 0xcbf29ce484222325u;
+    for (char const character : text)
+        bits = (bits ^ static_cast<unsigned char>(character)) * 0x100000001b3u;
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+    return bits ^ (bits >> 31);
+}
+
+std::uint64_t seed_of(std::string_view const experiment, std::string_view const state_point,
+                      int const replicate) {
+    return hash_of(fmt::format("{}|{}|{}", experiment, state_point, replicate)) >> 1;
+}
+
+Campaign::Campaign(std::string const& stem, std::filesystem::path const& directory,
                    std::string const& program, int const seed_set, Share const share)
-    : stem_(std::move(stem)),
-      seeded_by_(seed_set == 0 ? stem_ : fmt::format("{}#{}", stem_, seed_set)), share_(share),
-      path_(directory / (stem_ + ".replicates")) {
-    std::string const header = fmt::format("# replicates of {}, program {}\n", seeded_by_, program);
-    std::string const whole = header + recall(path_, header);
-    // Files are written anew, so that the next line does not run on from one cut short, and moved
-    // into place, so that an interruption here loses nothing either.
+    : seeded_by_(seed_set == 0 ? stem : fmt::format("{}#{}", stem, seed_set)),
+      header_(fmt::format("# replicates of {}, program {}\n", seeded_by_, program)), share_(share),
+      path_(directory / (stem + ".replicates")) {
+    std::string text = recall(path_);
+    if (share_.kind == Share::Kind::list) return;
     if (share_.kind == Share::Kind::one_point) {
-        path_ += fmt::format(".{}", share_.point);
-        write_file(path_, header + recall(path_, header));
-    } else if (share_.kind == Share::Kind::all) {
-        auto const parts = parts_of(path_);
-        std::string gathered = whole;
-        for (auto const& part : parts) gathered += recall(part, header);
-        write_file(path_, gathered);
-        for (auto const& part : parts) std::filesystem::remove(part);
+        path_ = part_of(path_, static_cast<std::size_t>(share_.point));
+        text = recall(path_);
     }
+    // Written anew, so that the next line does not run on from one cut short, and moved into place,
+    // so that an interruption here loses nothing either.
+    write_file(path_, header_ + text);
 }
 
 /// Takes in the whole lines of a file that belongs to this campaign, and returns them.
-std::string Campaign::recall(std::filesystem::path const& path, std::string const& header) {
+std::string Campaign::recall(std::filesystem::path const& path) {
     std::istringstream file(contents(path));
     std::string kept, text;
-    if (!std::getline(file, text) || text + '\n' != header) return "";
+    if (!std::getline(file, text) || text + '\n' != header_) return "";
     while (std::getline(file, text)) {
         auto const line = read(text);
-        if (!line) continue;
-        auto const [place, is_new] = known_.try_emplace({line->state_point, line->replicate},
-                                                        Replicate{line->values, line->seconds});
-        if (is_new) kept += text + '\n';
+        if (line && known_[line->state_point]
+                        .try_emplace(line->number, Replicate{line->values, line->seconds})
+                        .second)
+            kept += text + '\n';
     }
     return kept;
 }
 
-void Campaign::append(std::string const& line) {
-    std::ofstream file(path_, std::ios::binary | std::ios::app);
-    file << line << '\n' << std::flush;
-    if (!file) throw InputError(fmt::format("{}: cannot be written", path_.string()));
+/// Takes in what processes of one state point each have measured.
+void Campaign::gather(std::size_t const task_count) {
+    std::string text = contents(path_);
+    for (std::size_t k = 1; k <= task_count; ++k) text += recall(part_of(path_, k));
+    write_file(path_, text);
+    for (std::size_t k = 1; k <= task_count; ++k) std::filesystem::remove(part_of(path_, k));
 }
 
 std::vector<std::vector<Measurement>> Campaign::replicates(std::vector<Task> const& tasks) {
-    auto const number = static_cast<std::size_t>(share_.point);
     if (share_.kind == Share::Kind::list) {
         for (Task const& task : tasks) std::cout << task.state_point << '\n';
         throw ShareDone{};
     }
     if (share_.kind == Share::Kind::one_point) {
+        auto const number = static_cast<std::size_t>(share_.point);
         if (number < 1 || number > tasks.size())
             throw InputError(fmt::format("--point = {}: must be one of the {} that --list prints",
-                                         number, tasks.size()));
+                                         share_.point, tasks.size()));
         measured(tasks[number - 1]);
         throw ShareDone{};
     }
+    gather(tasks.size());
     std::vector<std::vector<Measurement>> all;
     for (Task const& task : tasks) all.push_back(measured(task));
     return all;
@@ -142,55 +148,51 @@ std::vector<Measurement> Campaign::replicates(std::string const& state_point, in
 
 std::vector<Measurement> Campaign::measured(Task const& task) {
     auto const& [state_point, count, measure] = task;
-    asked_for_.push_back(state_point);
+    auto& known = known_[state_point];
+    ++points_asked_for_;
     int missing = 0;
-    for (int replicate = 0; replicate < count; ++replicate)
-        missing += !known_.contains({state_point, replicate});
-    if (missing > 0) {
-        std::cout << fmt::format("{}: {}: measuring {} of {} replicates\n", stem_, state_point,
+    for (int number = 0; number < count; ++number) missing += !known.contains(number);
+    if (missing > 0)
+        std::cout << fmt::format("{}: {}: measuring {} of {} replicates\n", seeded_by_, state_point,
                                  missing, count)
                   << std::flush;
-    }
-
     std::vector<Measurement> all;
-    for (int replicate = 0; replicate < count; ++replicate) {
-        auto const found = known_.find({state_point, replicate});
-        if (found != known_.end()) {
-            all.push_back(found->second.values);
+    for (int number = 0; number < count; ++number) {
+        if (auto const found = known.find(number); found != known.end()) {
             seconds_recalled_ += found->second.seconds;
-            continue;
+        } else {
+            std::uint64_t const seed = seed_of(seeded_by_, state_point, number);
+            double const before = processor_seconds_in_all();
+            Measurement const values = measure(seed);
+            double const seconds = processor_seconds_in_all() - before;
+            std::ofstream file(path_, std::ios::binary | std::ios::app);
+            file << fmt::format("{}|{}|{}|{:.4f}|{}{}\n", state_point, number, seed, seconds,
+                                fmt::join(values, " "), line_end)
+                 << std::flush;
+            if (!file) throw InputError(fmt::format("{}: cannot be written", path_.string()));
+            known[number] = {values, seconds};
         }
-        std::uint64_t const seed = seed_of(seeded_by_, state_point, replicate);
-        double const before = processor_seconds_in_all();
-        Measurement const values = measure(seed);
-        double const seconds = processor_seconds_in_all() - before;
-        append(written({state_point, replicate, seconds, values}, seed));
-        known_[{state_point, replicate}] = {values, seconds};
-        ++measured_count_;
-        all.push_back(values);
+        all.push_back(known[number].values);
     }
     return all;
 }
 
 double Campaign::seconds(std::string const& state_point) const {
     double sum = 0;
-    for (auto const& [key, replicate] : known_)
-        if (key.first == state_point) sum += replicate.seconds;
+    for (auto const& [number, replicate] : known_.at(state_point)) sum += replicate.seconds;
     return sum;
 }
 
-Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const place) {
-    return mean_of(replicates, [=](Measurement const& values) { return values.at(place); });
-}
+double Campaign::seconds() const { return processor_seconds_in_all() + seconds_recalled_; }
 
 std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path) {
-    std::map<std::pair<std::string, int>, Measurement> in_order;
+    std::map<std::string, std::map<int, Measurement>> in_order;
     std::istringstream file(contents(path));
     for (std::string text; std::getline(file, text);)
-        if (auto const line = read(text))
-            in_order[{line->state_point, line->replicate}] = line->values;
+        if (auto const line = read(text)) in_order[line->state_point][line->number] = line->values;
     std::map<std::string, std::vector<Measurement>> all;
-    for (auto const& [key, values] : in_order) all[key.first].push_back(values);
+    for (auto const& [state_point, replicates] : in_order)
+        for (auto const& [number, values] : replicates) all[state_point].push_back(values);
     return all;
 }
 

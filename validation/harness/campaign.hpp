@@ -1,7 +1,7 @@
 #pragma once
 // The memory of an experiment: replicates that are finished are never measured again.
 
-#include "validation/harness/interval.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <concepts>
 #include <cstdint>
@@ -9,13 +9,20 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace clack::validation {
 
-/// What one replicate of a state point measured, in the order that the experiment gives it.
-using Measurement = std::vector<double>;
+/// A hash of a text: FNV-1a over its bytes with a final avalanche, the same on every machine.
+/// Source: G. Fowler, L. C. Noll, K.-P. Vo, draft-eastlake-fnv; the avalanche is splitmix64's
+/// (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014, doi:10.1145/2660193.2660195).
+std::uint64_t hash_of(std::string_view text);
+
+/// The seed of one replicate of one state point of one experiment. Adding, removing or reordering
+/// state points leaves the seeds of all others as they are. Fits a signed 64-bit integer, as the
+/// scene file wants it.
+std::uint64_t seed_of(std::string_view experiment, std::string_view state_point, int replicate);
 
 /// Measures one replicate from its seed.
 using Measure = std::function<Measurement(std::uint64_t seed)>;
@@ -58,15 +65,14 @@ class Campaign {
 public:
     ///   stem        the experiment's name; the file is directory/stem.replicates
     ///   directory   where the file stands or will stand; must exist
-    ///   program     what the replicates depend on beside their state point: a hash of the
-    ///               executable (program_hash)
+    ///   program     what the replicates depend on beside their state point (program_hash)
     ///   seed_set    which of many independent sets of seeds: 0 is everybody's
     ///   share       of one point: what it measures goes to a file of its own, which the next
     ///               campaign that does all takes in, so that many may run at once
     /// A line that an interruption cut short is dropped. Throws InputError when the file cannot be
     /// written.
-    Campaign(std::string stem, std::filesystem::path const& directory, std::string const& program,
-             int seed_set = 0, Share share = {});
+    Campaign(std::string const& stem, std::filesystem::path const& directory,
+             std::string const& program, int seed_set = 0, Share share = {});
 
     /// The replicates of all tasks, in their order. Those that one process each measured are found
     /// again. Throws ShareDone when the share is not all.
@@ -77,17 +83,15 @@ public:
     std::vector<Measurement> replicates(std::string const& state_point, int count,
                                         Measure const& measure);
 
-    /// Replicates that this object measured, not found in the file.
-    int measured_count() const { return measured_count_; }
-
     /// Processor time that the replicates of a state point took, whenever they were measured.  [s]
     double seconds(std::string const& state_point) const;
 
-    /// The same of all replicates that were found in the file instead of being measured.  [s]
-    double seconds_recalled() const { return seconds_recalled_; }
+    /// Processor time that this campaign has taken in all, of this process, of those that it has
+    /// started and for the replicates that were found in the file.  [s]
+    double seconds() const;
 
-    /// State points whose replicates were asked for, in that order.
-    std::vector<std::string> const& state_points() const { return asked_for_; }
+    /// How often the replicates of a state point were asked for.
+    int points_asked_for() const { return points_asked_for_; }
 
 private:
     struct Replicate {
@@ -95,30 +99,18 @@ private:
         double seconds;
     };
 
-    std::string recall(std::filesystem::path const& path, std::string const& header);
+    std::string recall(std::filesystem::path const& path);
+    void gather(std::size_t task_count);
     std::vector<Measurement> measured(Task const& task);
-    void append(std::string const& line);
 
-    std::string stem_;
     std::string seeded_by_; // the first part of what seeds are hashed from
+    std::string header_;    // the first line of the file
     Share share_;
     std::filesystem::path path_;
-    std::map<std::pair<std::string, int>, Replicate> known_;
-    std::vector<std::string> asked_for_;
-    int measured_count_ = 0;
+    std::map<std::string, std::map<int, Replicate>> known_; // by state point and number
+    int points_asked_for_ = 0;
     double seconds_recalled_ = 0;
 };
-
-/// Mean over replicates of one of the values that each measured.
-Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t place);
-
-/// Mean over replicates of a function of what each measured.
-template <std::invocable<Measurement> Function>
-Estimate mean_of(std::vector<Measurement> const& replicates, Function const& function) {
-    std::vector<double> values;
-    for (Measurement const& measurement : replicates) values.push_back(function(measurement));
-    return mean_of(values);
-}
 
 /// The replicates in a campaign's file, by state point, in the order of their numbers.
 std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path);

@@ -1,90 +1,165 @@
 #include "validation/harness/experiment.hpp"
 
 #include "state/errors.hpp"
-#include "validation/harness/processor_time.hpp"
-#include "validation/harness/provenance.hpp"
-#include "validation/harness/write_file.hpp"
+#include <clack_build.hpp> // made by the build: CLACK_VERSION, CLACK_FLAGS
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <fstream>
 #include <iostream>
+#include <memory>
 
 namespace clack::validation {
 
 namespace {
 
-/// A law of nature that was broken is a verdict too.
-Verdict answer_or_break(Experiment& experiment, std::function<Verdict(Experiment&)> const& answer) {
+/// Reads the command line and makes the directory for the results.
+Options read_options(CLI::App& app, int const argc, char const* const* const argv) {
+    Options options;
+    std::string profile = name_of(options.profile), directory = options.directory.string();
+    app.add_option("--profile", profile, "quick (minutes) or full (the report's numbers)")
+        ->check(CLI::IsMember({"quick", "full"}))
+        ->capture_default_str();
+    app.add_option("-o,--output", directory, "directory for the results")->capture_default_str();
+    app.add_option("--seeds", options.seed_set, "which of many independent sets of seeds")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    bool listed = false;
+    auto* const list =
+        app.add_flag("--list", listed, "print the state points that may be shared out");
+    auto* const point = app.add_option("--point", options.share.point,
+                                       "measure this one of them, from 1 on, and judge nothing");
+    point->excludes(list);
+    app.parse(argc, argv);
+    if (listed) options.share.kind = Share::Kind::list;
+    if (*point) options.share.kind = Share::Kind::one_point;
+    options.profile = profile == "full" ? Profile::full : Profile::quick;
+    options.directory = directory;
+    std::error_code failure;
+    std::filesystem::create_directories(options.directory, failure);
+    if (failure)
+        throw InputError(
+            fmt::format("--output = {}: cannot be made: {}", directory, failure.message()));
+    return options;
+}
+
+/// The commit of the source tree, asked for when the program runs: compiled in, it would make every
+/// commit a new program, whose campaigns start over.
+std::string commit() {
+    auto const root = std::filesystem::path(CLACK_REFERENCE_DIR).parent_path();
+    std::string const command =
+        fmt::format("git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", root.string());
+    std::unique_ptr<FILE, int (*)(FILE*)> const pipe(popen(command.c_str(), "r"), pclose);
+    char answer[128] = "";
+    if (!pipe || !std::fgets(answer, sizeof answer, pipe.get())) return "unknown";
+    std::string const line = answer;
+    return line.substr(0, line.find('\n'));
+}
+
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown";
+}
+
+#if defined(__clang__)
+constexpr char const* compiler = "clang++ " __clang_version__;
+#else
+constexpr char const* compiler = "g++ " __VERSION__;
+#endif
+
+/// The verdict, or that a law of nature was broken, which is one too.
+int judged(Experiment& experiment, std::string const& stem,
+           std::function<Verdict(Experiment&)> const& answer) {
+    Verdict verdict = Verdict::differs;
     try {
-        return answer(experiment);
+        verdict = answer(experiment);
     } catch (LawBroken const& broken) {
-        std::cerr << fmt::format("{}: {}\n", experiment.stem(), broken.what());
-        return Verdict::differs;
+        std::cerr << fmt::format("{}: {}\n", stem, broken.what());
     }
+    experiment.conclude(verdict);
+    std::cout << fmt::format("{}: {}\n", stem, name_of(verdict));
+    return verdict == Verdict::agrees ? 0 : 1;
 }
 
 } // namespace
+
+std::vector<std::string> provenance(Question const& asked, Profile const profile) {
+    return {"experiment: " + asked.stem,
+            "question: " + asked.text,
+            fmt::format("profile: {}", name_of(profile)),
+            fmt::format("version: {}", CLACK_VERSION),
+            "commit: " + commit(),
+            "program: " + program_hash(),
+            fmt::format("compiler: {}", compiler),
+            fmt::format("flags: {}", CLACK_FLAGS),
+            "machine: " + processor(),
+            fmt::format("seeds: hashed from experiment, state point and replicate; each stands in "
+                        "{}.replicates",
+                        asked.stem),
+            fmt::format("margin: {}: {}", asked.margin, asked.reason)};
+}
 
 Experiment::Experiment(Question asked, Options options)
     : question_(std::move(asked)), options_(std::move(options)),
       campaign_(question_.stem, options_.directory, program_hash(), options_.seed_set,
                 options_.share) {}
 
-std::vector<std::string> Experiment::header() const {
-    std::vector<std::string> lines = provenance(question_.stem, question_.text, options_);
-    lines.push_back("margin: " + question_.margin + ": " + question_.reason);
-    return lines;
+void Experiment::leave(std::string const& ending, std::string const& text) const {
+    write_file(options_.directory / (question_.stem + ending), text);
 }
 
 void Experiment::write(Csv const& csv, std::string const& suffix) const {
-    write_file(options_.directory / (question_.stem + suffix + ".csv"), csv.text(header()));
+    leave(suffix + ".csv", csv.text(provenance(question_, options_.profile)));
 }
 
 void Experiment::write(Macros const& macros) const {
-    write_file(options_.directory / (question_.stem + ".tex"), macros.text(header()));
+    leave(".tex", macros.text(provenance(question_, options_.profile)));
 }
 
-void Experiment::write_table(std::string const& tabular) const {
-    write_file(options_.directory / (question_.stem + "_table.tex"), tabular);
-}
+void Experiment::write_table(std::string const& tabular) const { leave("_table.tex", tabular); }
 
 void Experiment::conclude(Verdict const verdict) const {
-    auto const points = campaign_.state_points().size();
+    int const points = campaign_.points_asked_for();
     auto const worst = worst_z_judged();
-    double const seconds = processor_seconds_in_all() + campaign_.seconds_recalled();
+    double const seconds = campaign_.seconds();
     std::string margin = question_.margin;
     std::replace(margin.begin(), margin.end(), ',', ';'); // which part the columns
     Csv csv({"experiment", "state_points", "margin", "worst_z", "verdict", "processor_seconds"});
-    csv.row({question_.stem, cell(points), margin, worst ? cell(*worst) : "", name_of(verdict),
-             fmt::format("{:.1f}", seconds)});
+    csv.row(question_.stem, points, margin, worst ? cell(*worst) : "", name_of(verdict),
+            fmt::format("{:.1f}", seconds));
     write(csv, "_verdict");
-    write_file(options_.directory / (question_.stem + "_verdict.tex"),
-               fmt::format("\\texttt{{{}}} & {} & {} & {} & {} & {} \\\\\n", in_tex(question_.stem),
-                           points, in_tex(question_.margin), worst ? significant(*worst, 2) : "--",
-                           name_of(verdict), significant(seconds, 2)));
+    leave("_verdict.tex",
+          fmt::format("\\texttt{{{}}} & {} & {} & {} & {} & {} \\\\\n", in_tex(question_.stem),
+                      points, in_tex(question_.margin), worst ? significant(*worst, 2) : "--",
+                      name_of(verdict), significant(seconds, 2)));
 }
 
 int run(int const argc, char const* const* const argv, Question const& asked,
         std::function<Verdict(Experiment&)> const& answer) {
+    CLI::App app(asked.text, asked.stem);
     try {
-        auto const options = parse_options(argc, argv, asked.stem, asked.text);
-        if (!options) return 0;
-        if (asked.processes == Processes::one && options->share.kind != Share::Kind::all) {
-            if (options->share.kind == Share::Kind::list) return 0;
+        Options const options = read_options(app, argc, argv);
+        if (asked.processes == Processes::one && options.share.kind == Share::Kind::list) return 0;
+        if (asked.processes == Processes::one && options.share.kind != Share::Kind::all)
             throw InputError("--point: this experiment cannot be shared out");
-        }
-        Experiment experiment(asked, *options);
-        Verdict const verdict = answer_or_break(experiment, answer);
-        experiment.conclude(verdict);
-        std::cout << fmt::format("{}: {}\n", asked.stem, name_of(verdict));
-        return exit_code(verdict);
+        Experiment experiment(asked, options);
+        return judged(experiment, asked.stem, answer);
     } catch (ShareDone const&) {
         return 0;
+    } catch (CLI::CallForHelp const&) {
+        std::cout << app.help();
+        return 0;
+    } catch (CLI::ParseError const& mistake) {
+        std::cerr << fmt::format("{}: {}; see {} --help\n", asked.stem, mistake.what(), asked.stem);
     } catch (InputError const& mistake) {
         std::cerr << fmt::format("{}: {}\n", asked.stem, mistake.what());
-        return 2;
     }
+    return 2;
 }
 
 } // namespace clack::validation

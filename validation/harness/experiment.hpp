@@ -3,11 +3,10 @@
 // behind.
 
 #include "validation/harness/campaign.hpp"
-#include "validation/harness/csv.hpp"
-#include "validation/harness/latex.hpp"
-#include "validation/harness/options.hpp"
-#include "validation/harness/verdict.hpp"
+#include "validation/harness/tables.hpp"
+#include "validation/statistics/verdict.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,12 +26,26 @@ struct Question {
     Processes processes = Processes::one;
 };
 
+/// How much an experiment runs: quick within minutes, full for the numbers of the report.
+enum class Profile { quick, full };
+
+inline char const* name_of(Profile const profile) {
+    return profile == Profile::quick ? "quick" : "full";
+}
+
+/// What every experiment can be told on its command line.
+struct Options {
+    Profile profile = Profile::quick;
+    std::filesystem::path directory = "build/data"; // where results and the campaign's memory go
+    Share share = {};
+    int seed_set = 0; // 0 is everybody's; each other one is as good, and independent of it
+};
+
 /// The run of an experiment: its options, its memory, and where its results go.
 class Experiment {
 public:
     Experiment(Question asked, Options options);
 
-    std::string const& stem() const { return question_.stem; }
     Profile profile() const { return options_.profile; }
     Campaign& campaign() { return campaign_; }
 
@@ -47,7 +60,7 @@ public:
     void conclude(Verdict verdict) const;
 
 private:
-    std::vector<std::string> header() const;
+    void leave(std::string const& ending, std::string const& text) const;
 
     Question question_;
     Options options_;
@@ -59,10 +72,14 @@ private:
 extern Question const question;
 Verdict ask(Experiment& experiment);
 
-/// Runs an experiment as a program: reads the options, asks, prints the verdict.
+/// Runs an experiment as a program: reads `[--profile quick|full] [-o DIR] [--seeds N]
+/// [--list | --point K] [--help]`, asks, prints the verdict.
 /// Returns the exit code: 0 agrees (or help was asked for), 1 differs or undecided, or a law of
 /// nature was broken; 2 the user's mistake.
 int run(int argc, char const* const* argv, Question const& asked,
         std::function<Verdict(Experiment&)> const& answer);
+
+/// Lines `name: value` that say which program on which machine made a result.
+std::vector<std::string> provenance(Question const& asked, Profile profile);
 
 } // namespace clack::validation

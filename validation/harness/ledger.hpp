@@ -56,23 +56,18 @@ public:
     Verdict verdict(std::string const& quantity = "") const;
     /// Of all quantities at one state.
     Verdict verdict_at(std::vector<std::string> const& state) const;
-    /// The largest |z| against agreement of all comparisons.
-    double largest_z() const;
 
-    Csv csv() const;
-    std::string table() const;
-    /// Defines Verdict, Profile, Comparisons, LargestZ and FalseAlarmPercent.
-    void define(Macros& macros, Profile profile, Risks const& risks = {}) const;
-    std::string text() const;
+    Csv csv() const;           // for figures
+    std::string table() const; // for the report
+    std::string text() const;  // for the terminal
 
 private:
-    Verdict verdict_where(std::function<bool(Entry const&)> const& concerned) const;
-
     std::vector<Key> keys_;
     std::vector<Entry> entries_;
 };
 
-/// Judges, prints, writes the data, the table and the macros, and returns the verdict on all.
+/// Judges, prints, writes the data, the table and the macros, to which it adds Verdict, Profile,
+/// Comparisons, LargestZ and FalseAlarmPercent, and returns the verdict on all.
 Verdict conclude(Experiment& experiment, Ledger& ledger, Macros macros, Risks const& risks = {});
 
 } // namespace clack::validation

@@ -1,10 +1,8 @@
 // Compares what the quick profile has measured with the committed baseline.
 
-#include "validation/harness/regression.hpp"
-#include "state/errors.hpp"
-#include "validation/harness/csv.hpp"
-#include "validation/harness/provenance.hpp"
-#include "validation/harness/write_file.hpp"
+#include "validation/tools/regression.hpp"
+
+#include "validation/harness/experiment.hpp"
 #include <clack_build.hpp> // made by the build: CLACK_VERSION
 
 #include <CLI/CLI.hpp>
@@ -105,9 +103,10 @@ int compare(Request const& request) {
                              "{} new\n",
                              all.size(), shifted, lost.size(), added.size());
     if (request.renew) {
-        auto header = provenance("all that are judged by chance",
-                                 "has a change of the code shifted anything?", {});
-        header.pop_back(); // the seeds are the experiments'
+        auto header = provenance(
+            {"all that are judged by chance", "has a change of the code shifted anything?", "", ""},
+            Profile::quick);
+        header.resize(header.size() - 2); // seeds and margins are the experiments'
         write_baseline(request.baseline, now, header);
         std::cout << fmt::format("{}: {} values written\n", request.baseline, now.size());
         return 0;

@@ -1,7 +1,7 @@
 // The methods' hashes as another compiler, or other instructions, give them. Built by each of the
 // variants in CMakeLists.txt and asked by the experiment same_bits.
 
-#include "validation/harness/one_way.hpp"
+#include "validation/same_bits.hpp"
 
 #include <cstdio>
 

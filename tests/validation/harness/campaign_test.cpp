@@ -1,6 +1,5 @@
 #include "state/errors.hpp"
 #include "validation/harness/campaign.hpp"
-#include "validation/harness/seeds.hpp"
 
 #include "tests/validation/harness/temporary_directory.hpp"
 
@@ -40,7 +39,6 @@ BOOST_AUTO_TEST_CASE(finished_replicates_are_not_measured_again) {
     Campaign resumed("demo", directory.path, "p1");
     auto const recalled = resumed.replicates(point, 5, second.measure);
     BOOST_TEST(second.calls == 2); // only the two that are new
-    BOOST_TEST(resumed.measured_count() == 2);
     for (std::size_t k = 0; k < 3; ++k) BOOST_TEST(recalled[k] == measured[k]); // to the last bit
 }
 

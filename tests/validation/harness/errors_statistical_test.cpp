@@ -2,9 +2,9 @@
 // with a probability of 2e-4 for another seed.
 
 #include "observables/blocking.hpp"
-#include "validation/harness/regression.hpp"
-#include "validation/harness/seeds.hpp"
+#include "validation/harness/campaign.hpp"
 #include "validation/periodic_run.hpp"
+#include "validation/tools/regression.hpp"
 
 #include <gsl/gsl_cdf.h>
 

@@ -1,5 +1,4 @@
-#include "validation/harness/csv.hpp"
-#include "validation/harness/latex.hpp"
+#include "validation/harness/tables.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -43,7 +42,8 @@ BOOST_AUTO_TEST_CASE(tabular_is_a_booktabs_one) {
 BOOST_AUTO_TEST_CASE(csv_has_a_cell_for_each_column) {
     Csv csv({"count", "speed", "verdict"});
     csv.row({cell(8), cell(0.1), cell("agrees")});
-    BOOST_TEST(csv.text({"why"}) == "# why\ncount,speed,verdict\n8,0.1,agrees\n");
+    csv.row(8, Estimate{0.5, 0.25}); // a value and its error
+    BOOST_TEST(csv.text({"why"}) == "# why\ncount,speed,verdict\n8,0.1,agrees\n8,0.5,0.25\n");
     BOOST_CHECK_THROW(csv.row({cell(8)}), std::invalid_argument);
     BOOST_CHECK_THROW(csv.row({cell(8), cell(0.1), cell("a,b")}), std::invalid_argument);
 }

@@ -1,12 +1,13 @@
-#include "validation/harness/verdict.hpp"
-
-#include "validation/harness/many_tests.hpp"
+#include "validation/statistics/verdict.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -55,15 +56,30 @@ Judgement tested(Comparison const& comparison) {
 } // namespace
 
 char const* name_of(Verdict const verdict) {
-    switch (verdict) {
-    case Verdict::agrees:
-        return "agrees";
-    case Verdict::differs:
-        return "differs";
-    case Verdict::undecided:
-        break;
+    constexpr std::array names{"agrees", "differs", "undecided"};
+    return names.at(static_cast<std::size_t>(verdict));
+}
+
+std::vector<double> holm(std::vector<double> const& p_values) {
+    std::vector<std::size_t> by_size(p_values.size());
+    std::iota(by_size.begin(), by_size.end(), 0);
+    std::sort(by_size.begin(), by_size.end(),
+              [&](std::size_t a, std::size_t b) { return p_values[a] < p_values[b]; });
+    std::vector<double> adjusted(p_values.size());
+    double largest = 0;
+    auto open = static_cast<double>(p_values.size()); // not yet refused
+    for (std::size_t const k : by_size) {
+        largest = std::max(largest, std::min(1.0, open-- * p_values[k]));
+        adjusted[k] = largest;
     }
-    return "undecided";
+    return adjusted;
+}
+
+double fisher(std::vector<double> const& p_values) {
+    double sum = 0;
+    for (double const p : p_values)
+        sum -= 2 * std::log(std::max(p, std::numeric_limits<double>::min()));
+    return gsl_cdf_chisq_Q(sum, 2 * static_cast<double>(p_values.size()));
 }
 
 std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks const& risks) {
@@ -87,13 +103,8 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
     return judgements;
 }
 
-std::vector<Verdict> judge(std::vector<GoodnessOfFit> const& tests, double const false_alarm) {
-    std::vector<double> p_values;
-    p_values.reserve(tests.size());
-    for (GoodnessOfFit const& test : tests) {
-        p_values.push_back(test.p_value);
-        note(gsl_cdf_ugaussian_Qinv(std::max(test.p_value, least_p) / 2));
-    }
+std::vector<Verdict> judge(std::vector<double> const& p_values, double const false_alarm) {
+    for (double const p : p_values) note(gsl_cdf_ugaussian_Qinv(std::max(p, least_p) / 2));
     std::vector<Verdict> verdicts;
     for (double const p : holm(p_values))
         verdicts.push_back(p < false_alarm ? Verdict::differs : Verdict::agrees);
@@ -114,11 +125,8 @@ Verdict together(std::vector<Verdict> const& verdicts) {
 
 Verdict together(std::vector<Judgement> const& judgements) {
     std::vector<Verdict> verdicts;
-    verdicts.reserve(judgements.size());
     for (Judgement const& judgement : judgements) verdicts.push_back(judgement.verdict);
     return together(verdicts);
 }
-
-int exit_code(Verdict const verdict) { return verdict == Verdict::agrees ? 0 : 1; }
 
 } // namespace clack::validation

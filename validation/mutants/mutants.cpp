@@ -1,6 +1,6 @@
-#include "validation/harness/mutants.hpp"
+#include "validation/mutants/mutants.hpp"
 
-#include "validation/harness/mutant_models.hpp"
+#include "validation/mutants/mutant_models.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "scheduling/collision_table.hpp"
 #include "simulation/engine_of.hpp"
 #include "simulation/epoch.hpp"
-#include "validation/harness/lattice_start.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "validation/harness/goodness_of_fit.hpp"
+#include "validation/statistics/goodness_of_fit.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <gsl/gsl_rng.h>

@@ -1,0 +1,94 @@
+#pragma once
+// Results as text: cells, files of columns for gnuplot, tables and macros for the report.
+
+#include "validation/statistics/estimate.hpp"
+
+#include <concepts>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace clack::validation {
+
+/// One cell: a number with all its digits, or a word.
+std::string cell(double value);
+std::string cell(std::integral auto value) { return std::to_string(value); }
+inline std::string cell(std::string word) { return word; }
+
+/// A part of something, in per cent: "0.2 %".
+std::string percent(double part);
+
+/// A value with its standard error in its last digits: 3.2694(12). The error keeps two digits; an
+/// error of 0 leaves six digits and no bracket.
+std::string with_error(Estimate const& estimate);
+
+/// With so many significant digits; beyond 1e4 or below 1e-3 as a power of ten, in math mode:
+/// $1.3 \times 10^{-5}$.
+std::string significant(double value, int digits);
+
+/// Plain text as TeX takes it: the characters that mean something there are escaped, and those that
+/// its text fonts lack are set as mathematics.
+std::string in_tex(std::string_view text);
+
+/// Rows under named columns. A column's name ends in its unit where it has one.
+class Csv {
+public:
+    explicit Csv(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+
+    /// Adds a row. Throws std::invalid_argument unless it has a cell for each column, without
+    /// commas.
+    void row(std::vector<std::string> cells);
+    /// The same from numbers and words; an Estimate is two cells, value and error.
+    template <class First, class... Rest>
+    requires(sizeof...(Rest) > 0) void row(First const& first, Rest const&... rest) {
+        std::vector<std::string> cells;
+        add(cells, first);
+        (add(cells, rest), ...);
+        row(std::move(cells));
+    }
+
+    /// The file's text: `header` lines behind `# `, the names, the rows.
+    std::string text(std::vector<std::string> const& header) const;
+
+private:
+    static void add(std::vector<std::string>& cells, auto const& value) {
+        cells.push_back(cell(value));
+    }
+    static void add(std::vector<std::string>& cells, Estimate const& estimate) {
+        cells.insert(cells.end(), {cell(estimate.value), cell(estimate.error)});
+    }
+
+    std::vector<std::string> columns_;
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// \newcommand macros, one a number that the report quotes.
+class Macros {
+public:
+    ///   prefix   the experiment's name in CamelCase; every macro starts with it
+    explicit Macros(std::string prefix) : prefix_(std::move(prefix)) {}
+
+    /// Defines \<prefix><name>. Throws std::invalid_argument unless prefix and name are letters
+    /// only, as TeX wants them, and the name is new.
+    void define(std::string const& name, std::string const& text);
+
+    std::string text(std::vector<std::string> const& header) const;
+
+private:
+    std::string prefix_;
+    std::vector<std::pair<std::string, std::string>> macros_;
+};
+
+/// A booktabs tabular.
+///   alignment   TeX's column specification, such as "rrl"
+///   head        column titles
+std::string tabular(std::string const& alignment, std::vector<std::string> const& head,
+                    std::vector<std::vector<std::string>> const& rows);
+
+/// Writes a file under a temporary name and moves it into place, so that whoever sees it sees all
+/// of it. Throws InputError when it cannot be written.
+void write_file(std::filesystem::path const& path, std::string_view text);
+
+} // namespace clack::validation
