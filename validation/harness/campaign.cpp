@@ -7,47 +7,21 @@
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/resource.h>
+#include <sys/times.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <optional>
 #include <sstream>
 
 namespace clack::validation {
 
 namespace {
 
-constexpr char const* line_end = " ;"; // of a line that was written whole
-
-struct Line {
-    std::string state_point;
-    int number = 0;
-    double seconds = 0;
-    Measurement values = {};
-};
-
-/// The line of one replicate; nothing where it was not written whole.
-std::optional<Line> read(std::string const& text) {
-    std::vector<std::string> parts; // state point, number, seed, seconds, values
-    boost::split(parts, text, boost::is_any_of("|"));
-    Line line{parts[0]};
-    if (parts.size() != 5 || !text.ends_with(line_end) ||
-        !boost::conversion::try_lexical_convert(parts[1], line.number) ||
-        !boost::conversion::try_lexical_convert(parts[3], line.seconds))
-        return std::nullopt;
-    std::istringstream values(parts[4]);
-    for (std::string value; values >> value && value != ";";)
-        line.values.push_back(std::strtod(value.c_str(), nullptr)); // numbers or not
-    return line;
-}
-
-std::string contents(std::filesystem::path const& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+/// A replicate's line in the file ends so: one without was cut short.
+constexpr char const* line_end = " ;";
 
 /// Where a process leaves what it measured of one state point, beside the campaign's own file.
 std::filesystem::path part_of(std::filesystem::path const& whole, std::size_t const point) {
@@ -56,14 +30,10 @@ std::filesystem::path part_of(std::filesystem::path const& whole, std::size_t co
 
 /// Processor time of this program so far, and of the programs that it has run.  [s]
 double processor_seconds_in_all() {
-    double seconds = 0;
-    for (auto const who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
-        rusage used{};
-        getrusage(who, &used);
-        for (timeval const& part : {used.ru_utime, used.ru_stime})
-            seconds += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
-    }
-    return seconds;
+    tms used{};
+    times(&used);
+    auto const ticks = used.tms_utime + used.tms_stime + used.tms_cutime + used.tms_cstime;
+    return static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 } // namespace
@@ -85,56 +55,49 @@ std::uint64_t seed_of(std::string_view const experiment, std::string_view const 
 Campaign::Campaign(std::string const& stem, std::filesystem::path const& directory,
                    std::string const& program, int const seed_set, Share const share)
     : seeded_by_(seed_set == 0 ? stem : fmt::format("{}#{}", stem, seed_set)),
-      header_(fmt::format("# replicates of {}, program {}\n", seeded_by_, program)), share_(share),
+      header_(fmt::format("# replicates of {}, program {}", seeded_by_, program)), share_(share),
       path_(directory / (stem + ".replicates")) {
-    std::string text = recall(path_);
-    if (share_.kind == Share::Kind::list) return;
-    if (share_.kind == Share::Kind::one_point) {
+    take_in(path_);
+    if (share_.listed) return;
+    if (share_.point > 0) {
         path_ = part_of(path_, static_cast<std::size_t>(share_.point));
-        text = recall(path_);
+        take_in(path_);
     }
-    // Written anew, so that the next line does not run on from one cut short, and moved into place,
-    // so that an interruption here loses nothing either.
-    write_file(path_, header_ + text);
+    save();
 }
 
-/// Takes in the whole lines of a file that belongs to this campaign, and returns them.
-std::string Campaign::recall(std::filesystem::path const& path) {
-    std::istringstream file(contents(path));
-    std::string kept, text;
-    if (!std::getline(file, text) || text + '\n' != header_) return "";
-    while (std::getline(file, text)) {
-        auto const line = read(text);
-        if (line && known_[line->state_point]
-                        .try_emplace(line->number, Replicate{line->values, line->seconds})
-                        .second)
-            kept += text + '\n';
-    }
-    return kept;
+void Campaign::take_in(std::filesystem::path const& path) {
+    for (auto& [state_point, replicates] : recorded(path, header_))
+        known_[state_point].merge(replicates);
 }
 
-/// Takes in what processes of one state point each have measured.
-void Campaign::gather(std::size_t const task_count) {
-    std::string text = contents(path_);
-    for (std::size_t k = 1; k <= task_count; ++k) text += recall(part_of(path_, k));
+/// Writes all anew, so that the next line does not run on from one cut short, and moves it into
+/// place, so that an interruption here loses nothing either.
+void Campaign::save() const {
+    std::string text = header_ + '\n';
+    for (auto const& [state_point, replicates] : known_)
+        for (auto const& [number, replicate] : replicates) text += replicate.line + '\n';
     write_file(path_, text);
-    for (std::size_t k = 1; k <= task_count; ++k) std::filesystem::remove(part_of(path_, k));
 }
 
 std::vector<std::vector<Measurement>> Campaign::replicates(std::vector<Task> const& tasks) {
-    if (share_.kind == Share::Kind::list) {
+    if (share_.listed) {
         for (Task const& task : tasks) std::cout << task.state_point << '\n';
         throw ShareDone{};
     }
-    if (share_.kind == Share::Kind::one_point) {
+    if (share_.point > 0) {
         auto const number = static_cast<std::size_t>(share_.point);
-        if (number < 1 || number > tasks.size())
+        if (number > tasks.size()) {
+            std::filesystem::remove(path_);
             throw InputError(fmt::format("--point = {}: must be one of the {} that --list prints",
                                          share_.point, tasks.size()));
+        }
         measured(tasks[number - 1]);
         throw ShareDone{};
     }
-    gather(tasks.size());
+    for (std::size_t k = 1; k <= tasks.size(); ++k) take_in(part_of(path_, k));
+    save();
+    for (std::size_t k = 1; k <= tasks.size(); ++k) std::filesystem::remove(part_of(path_, k));
     std::vector<std::vector<Measurement>> all;
     for (Task const& task : tasks) all.push_back(measured(task));
     return all;
@@ -142,7 +105,7 @@ std::vector<std::vector<Measurement>> Campaign::replicates(std::vector<Task> con
 
 std::vector<Measurement> Campaign::replicates(std::string const& state_point, int const count,
                                               Measure const& measure) {
-    if (share_.kind != Share::Kind::all) throw ShareDone{};
+    if (share_.listed || share_.point > 0) throw ShareDone{};
     return measured({state_point, count, measure});
 }
 
@@ -165,12 +128,12 @@ std::vector<Measurement> Campaign::measured(Task const& task) {
             double const before = processor_seconds_in_all();
             Measurement const values = measure(seed);
             double const seconds = processor_seconds_in_all() - before;
+            known[number] = {values, seconds,
+                             fmt::format("{}|{}|{}|{:.4f}|{}{}", state_point, number, seed, seconds,
+                                         fmt::join(values, " "), line_end)};
             std::ofstream file(path_, std::ios::binary | std::ios::app);
-            file << fmt::format("{}|{}|{}|{:.4f}|{}{}\n", state_point, number, seed, seconds,
-                                fmt::join(values, " "), line_end)
-                 << std::flush;
+            file << known[number].line << '\n' << std::flush;
             if (!file) throw InputError(fmt::format("{}: cannot be written", path_.string()));
-            known[number] = {values, seconds};
         }
         all.push_back(known[number].values);
     }
@@ -185,17 +148,32 @@ double Campaign::seconds(std::string const& state_point) const {
 
 double Campaign::seconds() const { return processor_seconds_in_all() + seconds_recalled_; }
 
-std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path) {
-    std::map<std::string, std::map<int, Measurement>> in_order;
-    std::istringstream file(contents(path));
-    for (std::string text; std::getline(file, text);)
-        if (auto const line = read(text)) in_order[line->state_point][line->number] = line->values;
-    std::map<std::string, std::vector<Measurement>> all;
-    for (auto const& [state_point, replicates] : in_order)
-        for (auto const& [number, values] : replicates) all[state_point].push_back(values);
+Replicates recorded(std::filesystem::path const& path, std::string const& header) {
+    Replicates all;
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    if (!std::getline(file, line) || (!header.empty() && line != header)) return all;
+    while (std::getline(file, line)) {
+        std::vector<std::string> parts; // state point, number, seed, seconds, values
+        boost::split(parts, line, boost::is_any_of("|"));
+        int number = 0;
+        Replicate replicate{{}, 0, line};
+        if (parts.size() != 5 || !line.ends_with(line_end) ||
+            !boost::conversion::try_lexical_convert(parts[1], number) ||
+            !boost::conversion::try_lexical_convert(parts[3], replicate.seconds))
+            continue;
+        std::istringstream values(parts[4]);
+        for (std::string value; values >> value && value != ";";)
+            replicate.values.push_back(std::strtod(value.c_str(), nullptr)); // numbers or not
+        all[parts[0]].try_emplace(number, replicate);
+    }
     return all;
 }
 
-std::string program_hash() { return fmt::format("{:016x}", hash_of(contents("/proc/self/exe"))); }
+std::string program_hash() {
+    std::ifstream file("/proc/self/exe", std::ios::binary);
+    std::string const program{std::istreambuf_iterator<char>(file), {}};
+    return fmt::format("{:016x}", hash_of(program));
+}
 
 } // namespace clack::validation

@@ -45,18 +45,26 @@ std::vector<Task> tasks_of(std::vector<StatePoint> const& points, MeasurePoint c
     return tasks;
 }
 
-/// What part of a campaign this process does.
+/// What part of a campaign this process does: all of it, unless one is said.
 struct Share {
-    enum class Kind {
-        all,      // everything that is missing
-        list,     // nothing: it prints the tasks
-        one_point // one of the tasks, for a process that collects what others have measured
-    } kind = Kind::all;
-    int point = 0; // from 1 on, of one_point
+    bool listed = false; // it prints the tasks
+    int point = 0;       // it measures this task, from 1 on, for a process that collects
 };
 
 /// Thrown when this process has done its share, and another will judge.
 struct ShareDone {};
+
+/// Replicates that are finished, by state point and number.
+struct Replicate {
+    Measurement values;
+    double seconds;   // of processor time
+    std::string line; // of the file
+};
+using Replicates = std::map<std::string, std::map<int, Replicate>>;
+
+/// Those in a campaign's file, but for lines that an interruption cut short. None where its first
+/// line is not the header that is asked for.
+Replicates recorded(std::filesystem::path const& path, std::string const& header = "");
 
 /// Replicates of state points, kept in a file to which each is appended, flushed, as soon as it is
 /// finished: an interrupted campaign goes on where it stopped, losing at most the replicate it was
@@ -69,8 +77,7 @@ public:
     ///   seed_set    which of many independent sets of seeds: 0 is everybody's
     ///   share       of one point: what it measures goes to a file of its own, which the next
     ///               campaign that does all takes in, so that many may run at once
-    /// A line that an interruption cut short is dropped. Throws InputError when the file cannot be
-    /// written.
+    /// Throws InputError when the file cannot be written.
     Campaign(std::string const& stem, std::filesystem::path const& directory,
              std::string const& program, int seed_set = 0, Share share = {});
 
@@ -94,26 +101,18 @@ public:
     int points_asked_for() const { return points_asked_for_; }
 
 private:
-    struct Replicate {
-        Measurement values;
-        double seconds;
-    };
-
-    std::string recall(std::filesystem::path const& path);
-    void gather(std::size_t task_count);
+    void take_in(std::filesystem::path const& path);
+    void save() const;
     std::vector<Measurement> measured(Task const& task);
 
     std::string seeded_by_; // the first part of what seeds are hashed from
-    std::string header_;    // the first line of the file
+    std::string header_;    // the file's first line
     Share share_;
     std::filesystem::path path_;
-    std::map<std::string, std::map<int, Replicate>> known_; // by state point and number
+    Replicates known_;
     int points_asked_for_ = 0;
     double seconds_recalled_ = 0;
 };
-
-/// The replicates in a campaign's file, by state point, in the order of their numbers.
-std::map<std::string, std::vector<Measurement>> recorded(std::filesystem::path const& path);
 
 /// A hash of the executable that is running, in hexadecimal.
 std::string program_hash();

@@ -1,5 +1,6 @@
 #include "validation/harness/experiment.hpp"
 
+#include "io/machine.hpp"
 #include "state/errors.hpp"
 #include <clack_build.hpp> // made by the build: CLACK_VERSION, CLACK_FLAGS
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -27,15 +27,13 @@ Options read_options(CLI::App& app, int const argc, char const* const* const arg
     app.add_option("--seeds", options.seed_set, "which of many independent sets of seeds")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    bool listed = false;
-    auto* const list =
-        app.add_flag("--list", listed, "print the state points that may be shared out");
-    auto* const point = app.add_option("--point", options.share.point,
-                                       "measure this one of them, from 1 on, and judge nothing");
-    point->excludes(list);
+    auto* const list = app.add_flag("--list", options.share.listed,
+                                    "print the state points that may be shared out");
+    app.add_option("--point", options.share.point,
+                   "measure this one of them, from 1 on, and judge nothing")
+        ->check(CLI::Range(1, 1'000'000))
+        ->excludes(list);
     app.parse(argc, argv);
-    if (listed) options.share.kind = Share::Kind::list;
-    if (*point) options.share.kind = Share::Kind::one_point;
     options.profile = profile == "full" ? Profile::full : Profile::quick;
     options.directory = directory;
     std::error_code failure;
@@ -58,19 +56,6 @@ std::string commit() {
     std::string const line = answer;
     return line.substr(0, line.find('\n'));
 }
-
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown";
-}
-
-#if defined(__clang__)
-constexpr char const* compiler = "clang++ " __clang_version__;
-#else
-constexpr char const* compiler = "g++ " __VERSION__;
-#endif
 
 /// The verdict, or that a law of nature was broken, which is one too.
 int judged(Experiment& experiment, std::string const& stem,
@@ -95,7 +80,7 @@ std::vector<std::string> provenance(Question const& asked, Profile const profile
             fmt::format("version: {}", CLACK_VERSION),
             "commit: " + commit(),
             "program: " + program_hash(),
-            fmt::format("compiler: {}", compiler),
+            "compiler: " + compiler(),
             fmt::format("flags: {}", CLACK_FLAGS),
             "machine: " + processor(),
             fmt::format("seeds: hashed from experiment, state point and replicate; each stands in "
@@ -144,8 +129,9 @@ int run(int const argc, char const* const* const argv, Question const& asked,
     CLI::App app(asked.text, asked.stem);
     try {
         Options const options = read_options(app, argc, argv);
-        if (asked.processes == Processes::one && options.share.kind == Share::Kind::list) return 0;
-        if (asked.processes == Processes::one && options.share.kind != Share::Kind::all)
+        bool const whole = asked.processes == Processes::one;
+        if (whole && options.share.listed) return 0;
+        if (whole && options.share.point > 0)
             throw InputError("--point: this experiment cannot be shared out");
         Experiment experiment(asked, options);
         return judged(experiment, asked.stem, answer);

@@ -134,16 +134,14 @@ std::string Ledger::table() const {
 std::string Ledger::text() const {
     std::string text;
     for (Entry const& entry : entries_) {
+        Comparison const& c = entry.comparison;
         for (std::size_t k = 0; k < keys_.size(); ++k)
             text += fmt::format("{} {}, ", keys_[k].column, entry.state.at(k));
-        Comparison const& c = entry.comparison;
         text += entry.quantity.name;
         text += entry.kind == Kind::fit
                     ? fmt::format(": p = {:.3f}", entry.p_value)
-                    : fmt::format(": {} reference {}", with_error(c.measured), expected(c));
-        if (c.margin > 0 && entry.kind != Kind::guide)
-            text += fmt::format(" margin {:.2g}", c.margin);
-        if (entry.z != 0) text += fmt::format(" z = {:+.1f}", entry.z);
+                    : fmt::format(": {} reference {} margin {:.2g} z = {:+.1f}",
+                                  with_error(c.measured), expected(c), c.margin, entry.z);
         text += fmt::format("  {}\n", entry.word());
     }
     return text;

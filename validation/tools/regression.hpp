@@ -43,9 +43,13 @@ constexpr double regression_false_alarm = 1e-3;
 inline std::vector<Known> known_of(std::filesystem::path const& directory, std::string const& stem,
                                    std::string const& version) {
     std::vector<Known> all;
-    for (auto const& [state_point, replicates] : recorded(directory / (stem + ".replicates"))) {
-        std::size_t places = replicates.front().size();
-        for (Measurement const& values : replicates) places = std::min(places, values.size());
+    for (auto const& [state_point, numbered] : recorded(directory / (stem + ".replicates"))) {
+        std::vector<Measurement> replicates;
+        std::size_t places = std::numeric_limits<std::size_t>::max();
+        for (auto const& [number, replicate] : numbered) {
+            replicates.push_back(replicate.values);
+            places = std::min(places, replicate.values.size());
+        }
         for (std::size_t place = 0; place < places && replicates.size() > 1; ++place) {
             Estimate const mean = mean_of(replicates, place);
             if (std::isfinite(mean.value))

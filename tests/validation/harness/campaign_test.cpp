@@ -105,11 +105,11 @@ BOOST_AUTO_TEST_CASE(state_points_measured_by_a_process_each_are_collected) {
         return Campaign("demo", directory.path, "p1", 0, share);
     };
     for (int const number : {2, 1})
-        BOOST_CHECK_THROW(campaign({Share::Kind::one_point, number}).replicates(tasks), ShareDone);
+        BOOST_CHECK_THROW(campaign({.point = number}).replicates(tasks), ShareDone);
     BOOST_TEST(counted.calls == 5);
-    BOOST_CHECK_THROW(campaign({Share::Kind::one_point, 2}).replicates(tasks), ShareDone);
-    BOOST_CHECK_THROW(campaign({Share::Kind::list}).replicates(tasks), ShareDone);
-    BOOST_CHECK_THROW(campaign({Share::Kind::one_point, 3}).replicates(tasks), InputError);
+    BOOST_CHECK_THROW(campaign({.point = 2}).replicates(tasks), ShareDone);
+    BOOST_CHECK_THROW(campaign({.listed = true}).replicates(tasks), ShareDone);
+    BOOST_CHECK_THROW(campaign({.point = 3}).replicates(tasks), InputError);
     auto const collected = campaign({}).replicates(tasks);
     BOOST_TEST(counted.calls == 5); // nothing is measured twice
     BOOST_TEST(collected[1][2][0] == static_cast<double>(seed_of("demo", "x=2", 2)) / 3);
