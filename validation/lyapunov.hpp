@@ -4,10 +4,9 @@
 #include "observables/tangent_vector.hpp"
 #include "reference/lyapunov_exponent.hpp"
 #include "validation/exact_places.hpp"
-#include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/lattice_start.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/ledger.hpp"
 
 #include <fmt/format.h>
 
@@ -21,11 +20,15 @@ namespace clack::validation::lyapunov {
 constexpr double equilibration = 30; // collisions per ball
 constexpr double alignment = 30;     // the same, until a vector has turned to where it grows most
 
-/// What a point has to do with the formula: it was fitted to measurements at some, and is judged
-/// at others that it has not seen.
-enum class Part { fitted, held_out };
+/// What is measured at a point. The formula was fitted to measurements at some, and is judged at
+/// others that it has not seen.
+enum class Part {
+    fitted,   // the exponent in tangent space
+    held_out, // the same
+    twins     // that of twin runs, and of the tangent vector along them
+};
 
-/// A fluid in a cube, and how long a tangent vector is carried along it.
+/// A fluid in a cube, and how long a tangent vector is carried along it; twins part when they do.
 struct StatePoint {
     Boundary boundary;
     double packing_fraction;
@@ -40,49 +43,39 @@ struct StatePoint {
             static_cast<double>(count) * std::numbers::pi / (6 * packing_fraction);
         return {.boundary = boundary, .side = std::cbrt(volume), .count = count};
     }
-    std::string text(std::string const& route) const {
+    std::string text() const {
         return fmt::format("{} boundary={} packing_fraction={} count={} collisions_per_ball={}",
-                           route, boundary_name(), packing_fraction, count, collisions_per_ball);
+                           part == Part::twins ? "twins" : "tangent", boundary_name(),
+                           packing_fraction, count, collisions_per_ball);
     }
 };
 
-/// Other numbers and packing fractions than those of the fit, of both inside their range.
-inline std::vector<StatePoint> held_out_points(double const longer) {
-    std::vector<StatePoint> points;
-    for (Boundary const boundary : {Boundary::walls, Boundary::periodic})
-        for (auto const& [packing_fraction, count] :
-             {std::pair{0.003, 300}, {0.025, 60}, {0.1, 500}, {0.25, 60}, {0.35, 200}, {0.43, 400}})
-            points.push_back(
-                {boundary, packing_fraction, count, longer * 4e4 / count, 8, Part::held_out});
-    return points;
-}
-
-/// Dilute to nearly freezing. The shorter runs of more balls hold as many collisions.
+/// Dilute to nearly freezing. The shorter runs of more balls hold as many collisions. Those that
+/// are held out have other numbers and packing fractions than the fit, of both inside its range;
+/// where quad runs are compared with their twins, the more collisions part them the fewer are
+/// needed.
 inline std::vector<StatePoint> state_points(Profile const profile) {
     bool const full = profile == Profile::full;
     double const longer = full ? 40 : 1;
-    int const replicates = full ? 8 : 3; // at points that are shown but not judged
-    std::vector<StatePoint> points = held_out_points(longer);
-    for (double const packing_fraction : {0.001, 0.01, 0.05, 0.2, 0.3, 0.4, 0.45}) {
-        for (auto const& [count, collisions] : {std::pair{27, 600.0}, {100, 400.0}, {1000, 80.0}}) {
-            if (count == 27 && packing_fraction > 0.4) continue; // would stay a crystal
-            points.push_back(
-                {Boundary::walls, packing_fraction, count, longer * collisions, replicates});
-        }
-        for (auto const& [count, collisions] : {std::pair{100, 400.0}, {1000, 80.0}})
-            points.push_back(
-                {Boundary::periodic, packing_fraction, count, longer * collisions, replicates});
-    }
-    return points;
-}
-
-/// Where quad runs are compared with their twins: the more of them, the sooner they part.
-inline std::vector<StatePoint> twin_points(Profile const profile) {
-    int const times = profile == Profile::quick ? 1 : 10;
+    int const replicates = full ? 8 : 2; // at points that are shown but not judged
     std::vector<StatePoint> points;
-    for (Boundary const boundary : {Boundary::walls, Boundary::periodic})
-        for (auto const& [packing_fraction, replicates] : {std::pair{0.05, 12}, {0.2, 6}, {0.4, 4}})
-            points.push_back({boundary, packing_fraction, 100, 0, times * replicates});
+    for (Boundary const boundary : {Boundary::walls, Boundary::periodic}) {
+        auto const add = [&](double packing_fraction, std::int64_t count, double collisions,
+                             int times, Part part) {
+            points.push_back({boundary, packing_fraction, count, collisions, times, part});
+        };
+        for (auto const& [packing_fraction, count] :
+             {std::pair{0.003, 300}, {0.025, 60}, {0.1, 500}, {0.25, 60}, {0.35, 200}, {0.43, 400}})
+            add(packing_fraction, count, longer * 4e4 / count, 8, Part::held_out);
+        for (double const packing_fraction : {0.001, 0.01, 0.05, 0.2, 0.3, 0.4, 0.45})
+            for (auto const& [count, collisions] :
+                 {std::pair{27, 600.0}, {100, 400.0}, {1000, 80.0}})
+                // So few would stay a crystal, or meet their own images.
+                if (count > 27 || (packing_fraction <= 0.4 && boundary == Boundary::walls))
+                    add(packing_fraction, count, longer * collisions, replicates, Part::fitted);
+        for (auto const& [packing_fraction, pairs] : {std::pair{0.05, 8}, {0.2, 6}, {0.4, 3}})
+            add(packing_fraction, 100, 0, (full ? 10 : 1) * pairs, Part::twins);
+    }
     return points;
 }
 
@@ -118,7 +111,7 @@ inline Eigen::Matrix3Xd random_differences(std::int64_t const count, std::uint64
 }
 
 /// In tangent space: the exponent over the collision rate, from one long run.
-inline Measurement measure(StatePoint const& point, std::uint64_t const seed) {
+inline Measurement measure_tangent(StatePoint const& point, std::uint64_t const seed) {
     auto const [engine, rate] = fluid(point, seed);
     TangentVector vector(engine->system(), random_differences(point.count, seed),
                          random_differences(point.count, seed + 1));
@@ -192,6 +185,37 @@ inline Measurement measure_twins(StatePoint const& point, std::uint64_t const se
     auto const [last, last_vector] = twins.apart(time);
     double const collisions = twins.collisions_per_ball() - before;
     return {(last - first) / collisions, (last_vector - first_vector) / collisions};
+}
+
+inline Measurement measure(StatePoint const& point, std::uint64_t const seed) {
+    return point.part == Part::twins ? measure_twins(point, seed) : measure_tangent(point, seed);
+}
+
+constexpr double twin_margin = 1e-3, formula_margin = 0.06;
+
+/// What is known of a point beside what it should be: the formula's exponent, and that of the
+/// tangent vector for its twins.
+inline void enter(Ledger& ledger, StatePoint const& point,
+                  std::vector<Measurement> const& replicates) {
+    double const formula = reference::lyapunov_exponent_per_collision(point.system());
+    std::vector<std::string> const state{point.boundary_name(), cell(point.packing_fraction),
+                                         cell(point.count)};
+    Comparison const exponent{.measured = mean_of(replicates, 0),
+                              .reference = formula,
+                              .margin = formula_margin * formula};
+    switch (point.part) {
+    case Part::fitted:
+        return ledger.guide(state, {"exponent", "$\\lambda$"}, exponent);
+    case Part::held_out:
+        return ledger.compare(state, {"exponent", "$\\lambda$"}, exponent);
+    case Part::twins:
+        ledger.guide(state, {"twins", "$\\lambda$, twins"}, exponent);
+        ledger.compare(
+            state, {"twins_over_tangent", "$\\lambda$, twins; tangent"},
+            {.measured = mean_of(replicates, [](Measurement const& m) { return m[0] / m[1]; }),
+             .reference = 1,
+             .margin = twin_margin});
+    }
 }
 
 } // namespace clack::validation::lyapunov
