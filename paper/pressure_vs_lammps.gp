@@ -3,15 +3,20 @@
 height = 7.2
 load 'paper/style.gp'
 
-points = data . '/pressure_vs_lammps_values.csv'
-percent(z, theory) = 100 * (z / theory - 1)
-of(packing, y) = $1 == packing ? y : NaN
+points = data . '/pressure_vs_lammps.csv'
+# Theory's for as many hard balls stands beside the engine's.
+theory(packing) = system(sprintf("awk -F, '$1 == %g && $2 == \"hard\" { print $6 }' %s", packing, points)) + 0
+array expected[2] = [theory(0.2), theory(0.4)]
+of_hard(packing, z) = 100 * z / expected[packing == 0.2 ? 1 : 2]
+of(packing, quantity, y) = $1 == packing && strcol(3) eq quantity ? y : NaN
+percent(packing, quantity, z) = of(packing, quantity, of_hard($1, z) - 100)
 beside(k, packing) = k * (packing == 0.2 ? 0.93 : 1.07)
 
+set datafile missing NaN # so that lines go on past other rows
 set multiplot
 set logscale x
 set xrange [6e2:1.2e5]
-stats points using 3 nooutput
+stats points using 2 nooutput
 set xrange [0.6 * STATS_min:1.7 * STATS_max]
 set mxtics 10
 
@@ -21,10 +26,10 @@ set ytics 10
 set ylabel 'plain, %' offset 0.8, 0
 set key bottom right
 plot 0 with lines ls 10, \
-     points using 3:(of(0.2, percent($7, $15))) with lines ls 2 lw thin, \
-     points using 3:(of(0.4, percent($7, $15))) with lines ls 3 lw thin, \
-     points using (beside($3, $1)):(of(0.2, percent($4, $15))):(100 * $5 / $15) with yerrorbars ls 2 title eta . ' = 0.2', \
-     points using (beside($3, $1)):(of(0.4, percent($4, $15))):(100 * $5 / $15) with yerrorbars ls 3 title eta . ' = 0.4'
+     points using 2:(percent(0.2, 'plain_softened', $6)) with lines ls 2 lw thin, \
+     points using 2:(percent(0.4, 'plain_softened', $6)) with lines ls 3 lw thin, \
+     points using (beside($2, $1)):(percent(0.2, 'plain_softened', $4)):(of_hard($1, $5)) with yerrorbars ls 2 title eta . ' = 0.2', \
+     points using (beside($2, $1)):(percent(0.4, 'plain_softened', $4)):(of_hard($1, $5)) with yerrorbars ls 3 title eta . ' = 0.4'
 
 @residual_panel
 set format x '10^{%T}'
@@ -33,8 +38,8 @@ set ytics 1
 set ylabel 'widened, %' offset 0.8, 0
 set xlabel 'stiffness {/:Italic k} ({/:Italic kT}/diameter^2)'
 plot 0 with lines ls 10, \
-     for [sign in '-1 1'] points using 3:(of(0.2, 100 * sign * $16 / $15)) with lines ls 2 lw thin, \
-     for [sign in '-1 1'] points using 3:(of(0.4, 100 * sign * $16 / $15)) with lines ls 3 lw thin, \
-     points using (beside($3, $1)):(of(0.2, percent($11, $15))):(100 * $12 / $15) with yerrorbars ls 2, \
-     points using (beside($3, $1)):(of(0.4, percent($11, $15))):(100 * $12 / $15) with yerrorbars ls 3
+     for [sign in '-1 1'] points using 2:(of(0.2, 'soft_clack', sign * of_hard($1, $8))) with lines ls 2 lw thin, \
+     for [sign in '-1 1'] points using 2:(of(0.4, 'soft_clack', sign * of_hard($1, $8))) with lines ls 3 lw thin, \
+     points using (beside($2, $1)):(percent(0.2, 'soft_theory', $4)):(of_hard($1, $5)) with yerrorbars ls 2, \
+     points using (beside($2, $1)):(percent(0.4, 'soft_theory', $4)):(of_hard($1, $5)) with yerrorbars ls 3
 unset multiplot

@@ -25,6 +25,9 @@ namespace clack::validation::pressure_vs_lammps {
 constexpr double steps_per_contact = 20; // from 8 on energy keeps
 constexpr double equilibration = 30;     // collisions per ball
 
+/// What all jobs run.
+inline std::string deck() { return reference::lammps_deck("lammps_periodic.in"); }
+
 /// A periodic fluid, and how hard its soft balls are.
 struct StatePoint {
     double packing_fraction;
@@ -48,11 +51,11 @@ struct StatePoint {
                 .count = count,
                 .diameter = diameter};
     }
-    std::string text(std::string const& deck) const {
+    std::string text() const {
         return fmt::format("packing_fraction={} count={} equilibration={} production={} "
                            "steps_per_contact={} stiffnesses={} deck={:016x}",
                            packing_fraction, count, equilibration, production, steps_per_contact,
-                           fmt::join(stiffnesses, ","), hash_of(deck));
+                           fmt::join(stiffnesses, ","), hash_of(deck()));
     }
 };
 
@@ -131,8 +134,7 @@ inline double hard_compressibility(StatePoint const& point, std::uint64_t const 
 }
 
 /// Z of the engine's balls; then for each stiffness Z and kT of the soft balls, plain and widened.
-inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
-                           std::string const& deck) {
+inline Measurement measure(StatePoint const& point, std::uint64_t const seed) {
     reference::LammpsFolder const folder;
     std::vector<reference::LammpsJob> jobs;
     std::vector<std::string> names;
@@ -142,7 +144,7 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
             jobs.push_back(job(folder, point, names.back(), width, stiffness, seed));
         }
     }
-    reference::run_lammps(folder, deck, jobs);
+    reference::run_lammps(folder, deck(), jobs);
     Measurement values{hard_compressibility(point, seed)};
     for (std::string const& name : names) {
         auto const means = reference::read_lammps_means(folder / (name + ".means"));
@@ -178,8 +180,8 @@ inline Estimate hardened(StatePoint const& point, std::vector<Measurement> const
     });
 }
 
-/// The engine against theory, then for each stiffness that is judged the soft balls against theory
-/// and against the engine.
+/// The engine against theory; then for each stiffness the soft balls as they are, for which theory
+/// gives no more than a guide, and widened: against theory and, where they are judged, the engine.
 inline void enter(Ledger& ledger, StatePoint const& point,
                   std::vector<Measurement> const& replicates, double const relative_margin) {
     double const theory = point.theory(), part = relative_margin * (theory - 1);
@@ -189,12 +191,22 @@ inline void enter(Ledger& ledger, StatePoint const& point,
     std::string const eta = cell(point.packing_fraction);
     ledger.compare({eta, "hard"}, {"clack_theory", "$Z$, clack"},
                    {{}, hard, theory, theory_error, part});
-    for (std::size_t k = point.first_judged; k < point.stiffnesses.size(); ++k) {
-        Estimate const soft = hardened(point, replicates, k);
+    for (std::size_t k = 0; k < point.stiffnesses.size(); ++k) {
         std::vector<std::string> const state{eta, cell(point.stiffnesses[k])};
-        ledger.compare(state, {"soft_theory", "$Z$, soft"}, {{}, soft, theory, theory_error, part});
-        ledger.compare(state, {"soft_clack", "$Z$, soft; clack"},
-                       {{}, soft, hard.value, hard.error, part});
+        std::size_t const plain = place_of(k, Width::plain);
+        double const kt = mean_of(replicates, plain + 1).value;
+        ledger.guide(
+            state, {"plain_softened", "$Z$, plain; softened theory"},
+            {{}, mean_of(replicates, plain), softened_theory(point, 1, point.stiffnesses[k], kt)});
+        Comparison const soft{{}, hardened(point, replicates, k), theory, theory_error, part};
+        Quantity const widened{"soft_theory", "$Z$, widened"};
+        if (k < point.first_judged) {
+            ledger.guide(state, widened, soft);
+            continue;
+        }
+        ledger.compare(state, widened, soft);
+        ledger.compare(state, {"soft_clack", "$Z$, widened; clack"},
+                       {{}, soft.measured, hard.value, hard.error, part});
     }
 }
 

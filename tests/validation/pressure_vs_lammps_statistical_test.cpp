@@ -36,11 +36,10 @@ BOOST_AUTO_TEST_CASE(widened_balls_pass_and_plain_ones_do_not, *NeedsLammps()) {
     StatePoint point = state_points(Profile::quick).back();
     point.stiffnesses = {1.6e4};
     point.first_judged = 0;
-    std::string const deck = reference::lammps_deck("lammps_periodic.in");
     std::vector<Measurement> replicates;
     for (int replicate = 0; replicate < point.replicates; ++replicate)
         replicates.push_back(
-            measure(point, seed_of("pressure_vs_lammps", point.text(deck), replicate), deck));
+            measure(point, seed_of("pressure_vs_lammps", point.text(), replicate)));
     BOOST_TEST((verdict_of(point, replicates) == Verdict::agrees));
     std::size_t const plain = place_of(0, Width::plain), wide = place_of(0, Width::widened);
     for (Measurement& replicate : replicates) replicate[wide] = replicate[plain];
