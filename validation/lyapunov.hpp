@@ -203,19 +203,17 @@ inline void enter(Ledger& ledger, StatePoint const& point,
     Comparison const exponent{.measured = mean_of(replicates, 0),
                               .reference = formula,
                               .margin = formula_margin * formula};
-    switch (point.part) {
-    case Part::fitted:
-        return ledger.guide(state, {"exponent", "$\\lambda$"}, exponent);
-    case Part::held_out:
-        return ledger.compare(state, {"exponent", "$\\lambda$"}, exponent);
-    case Part::twins:
-        ledger.guide(state, {"twins", "$\\lambda$, twins"}, exponent);
-        ledger.compare(
-            state, {"twins_over_tangent", "$\\lambda$, twins; tangent"},
-            {.measured = mean_of(replicates, [](Measurement const& m) { return m[0] / m[1]; }),
-             .reference = 1,
-             .margin = twin_margin});
-    }
+    bool const twins = point.part == Part::twins;
+    Quantity const which =
+        twins ? Quantity{"twins", "$\\lambda$, twins"} : Quantity{"exponent", "$\\lambda$"};
+    if (point.part == Part::held_out)
+        ledger.compare(state, which, exponent);
+    else
+        ledger.guide(state, which, exponent);
+    if (!twins) return;
+    auto const ratio = [](Measurement const& m) { return m[0] / m[1]; };
+    ledger.compare(state, {"twins_over_tangent", "$\\lambda$, twins; tangent"},
+                   {.measured = mean_of(replicates, ratio), .reference = 1, .margin = twin_margin});
 }
 
 } // namespace clack::validation::lyapunov
