@@ -3,7 +3,7 @@ height = 7.4
 load 'paper/style.gp'
 set datafile missing NaN
 
-file = data . '/cost_of_statistics.csv'
+file = data . '/cost_of_statistics_errors.csv'
 # The knobs in the order of the rows.
 knobs(method) = system(sprintf("awk -F, '$1 == \"%s\" { print $2 }' %s | uniq", method, file))
 frames = knobs('frames')
@@ -20,9 +20,9 @@ set ylabel 'error of {/:Italic Z}, relative' offset 0.6, 0
 set key bottom right reverse Left samplen 3 width 2 font ',8'
 set label 1 'bias: more time buys no digit' at graph 0.97, 0.93 right font ',8'
 # The slope of -1/2 through the first point of the engine.
-anchor = system(sprintf("awk -F, '$1 == \"fast\" { print $4 * $5^2; exit }' %s", file)) + 0
+anchor = system(sprintf("awk -F, '$1 == \"fast\" { print $3 * $4^2; exit }' %s", file)) + 0
 root(x) = x < 0.15 ? sqrt(anchor / x) : NaN
 plot root(x) with lines ls 9 title 'slope −1/2', \
-     file using 4:(of('fast', 'double', $5)) with linespoints ls 2 title 'fast', \
-     for [k = 1:words(frames)] file using 4:(of('frames', word(frames, k), $5)) with linespoints ls 4 pt 2 * k + 3 title 'frames, ' . word(frames, k), \
-     for [k = 1:words(lammps)] file using 4:(of('lammps', word(lammps, k), $5)) with linespoints ls 5 pt 2 * k + 3 title 'LAMMPS, ' . stiffness(word(lammps, k))
+     file using 3:(of('fast', 'double', $4)) with linespoints ls 2 title 'fast', \
+     for [k = 1:words(frames)] file using 3:(of('frames', word(frames, k), $4)) with linespoints ls 4 pt 2 * k + 3 title 'frames, ' . word(frames, k), \
+     for [k = 1:words(lammps)] file using 3:(of('lammps', word(lammps, k), $4)) with linespoints ls 5 pt 2 * k + 3 title 'LAMMPS, ' . stiffness(word(lammps, k))

@@ -4,9 +4,8 @@
 height = 12.6
 load 'paper/style.gp'
 
-points = data . '/trajectories_vs_lammps_distances.csv'
-prefix = data . '/trajectories_vs_lammps_prefix.csv'
-of(packing, y) = $1 == packing ? y : NaN
+curves = data . '/trajectories_vs_lammps_curves.csv'
+of(packing, quantity) = $1 == packing && strcol(4) eq quantity ? $5 : NaN
 # 27, 100 and 1000 balls stand beside each other.
 beside(k, n) = k * (n == 27 ? 0.8 : n == 100 ? 1 : 1.25)
 contact(k) = pi / sqrt(2 * k)
@@ -44,12 +43,12 @@ do for [column = 1:2] {
     if (column == 2) { eval shared_ordinate }
     plot contact(x) with lines ls 1 lw thin, \
          contact(x)**2 / 2 with lines ls 9, \
-         points using (beside($3, $2)):(of(packing, $8)):9 with yerrorbars ls 1 title 'as they are', \
-         points using (beside($3, $2)):(of(packing, $10)):11 with yerrorbars ls 1 pt 6, \
-         points using (beside($3, $2)):(of(packing, $12)):13 with yerrorbars ls 3 pt 9 title 'Richardson', \
-         points using (beside($3, $2)):(of(packing, $14)):15 with yerrorbars ls 3 pt 8, \
-         points using (beside($3, $2)):(of(packing, $16)):17 with yerrorbars ls 2 pt 5 title 'yielding', \
-         points using (beside($3, $2)):(of(packing, $18)):19 with yerrorbars ls 2 pt 4
+         curves using (beside($3, $2)):(of(packing, 'distance_median')):6 with yerrorbars ls 1 title 'as they are', \
+         curves using (beside($3, $2)):(of(packing, 'distance_largest')):6 with yerrorbars ls 1 pt 6, \
+         curves using (beside($3, $2)):(of(packing, 'richardson_median')):6 with yerrorbars ls 3 pt 9 title 'Richardson', \
+         curves using (beside($3, $2)):(of(packing, 'richardson_largest')):6 with yerrorbars ls 3 pt 8, \
+         curves using (beside($3, $2)):(of(packing, 'softened_median')):6 with yerrorbars ls 2 pt 5 title 'yielding', \
+         curves using (beside($3, $2)):(of(packing, 'softened_largest')):6 with yerrorbars ls 2 pt 4
     unset label 1
     unset label 2
     unset label 3
@@ -65,7 +64,7 @@ do for [column = 1:2] {
     unset key
     if (column == 2) { eval shared_ordinate }
     plot 1 with lines ls 10, \
-         points using (beside($3, $2)):(of(packing, $6)):7 with yerrorbars ls 1
+         curves using (beside($3, $2)):(of(packing, 'kept')):6 with yerrorbars ls 1
 
     # matched prefix
     eval panel(column, 0.09, 0.29)
@@ -76,7 +75,7 @@ do for [column = 1:2] {
     eval own_ordinate
     set key top left Left reverse samplen 0.6 spacing 0.9 font ',7'
     if (column == 2) { eval shared_ordinate }
-    plot prefix using 3:(of(packing, $6)):7 with yerrorbars ls 1 title 'hard', \
-         prefix using 3:(of(packing, $8)):9 with yerrorbars ls 2 title 'yielding'
+    plot curves using 3:(of(packing, 'matched')):6 with yerrorbars ls 1 title 'hard', \
+         curves using 3:(of(packing, 'matched_softened')):6 with yerrorbars ls 2 title 'yielding'
 }
 unset multiplot

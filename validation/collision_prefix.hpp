@@ -18,6 +18,9 @@ constexpr double steps_per_contact = 50; // rather a longer run than a more exac
 constexpr double looks_per_contact = 5;  // so that no contact is overlooked
 constexpr double equilibration = 30;     // collisions per ball
 
+/// What all jobs run.
+inline std::string deck() { return reference::lammps_deck("lammps_cube.in"); }
+
 /// One run from one start, long enough for the sequences to part.
 struct StatePoint {
     double packing_fraction;
@@ -30,11 +33,11 @@ struct StatePoint {
         double const density = packing_fraction * 6 / std::numbers::pi;
         return {.side = std::cbrt(static_cast<double>(count) / density), .count = count};
     }
-    std::string text(std::string const& deck) const {
+    std::string text() const {
         return fmt::format("prefix packing_fraction={} count={} time={} equilibration={} "
                            "steps_per_contact={} stiffnesses={} deck={:016x}",
                            packing_fraction, count, time, equilibration, steps_per_contact,
-                           fmt::join(stiffnesses, ","), hash_of(deck));
+                           fmt::join(stiffnesses, ","), hash_of(deck()));
     }
 };
 
@@ -45,7 +48,7 @@ inline std::vector<StatePoint> state_points(Profile const profile) {
         for (int k = 0; k < length; ++k) all.push_back(first * std::pow(8, k));
         return all;
     };
-    int const replicates = full ? 20 : 4, length = full ? 5 : 4;
+    int const replicates = full ? 20 : 3, length = full ? 5 : 4;
     return {{0.2, 100, full ? 4.0 : 2.5, replicates, ladder(2e4, length)},
             {0.4, 100, full ? 1.2 : 0.6, replicates, ladder(1.6e5, length)}};
 }
@@ -86,15 +89,14 @@ inline double matched(Partners const& one, Partners const& other) {
 
 /// Collisions per ball in all, then for each stiffness those that LAMMPS has in common with hard
 /// balls and with such whose diameter yields.
-inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
-                           std::string const& deck) {
+inline Measurement measure(StatePoint const& point, std::uint64_t const seed) {
     System const system = point.system();
     auto const segments = segments_from(system, equilibrated(system, equilibration, seed),
                                         point.time, 1, true_segment_engine);
     Segment const& hard = segments.front();
     SoftRuns const runs{system, point.stiffnesses, steps_per_contact, looks_per_contact};
     reference::LammpsFolder const folder;
-    runs.run(folder, deck, segments);
+    runs.run(folder, deck(), segments);
     Measurement values{matched(partners_of(hard), partners_of(hard))};
     for (std::size_t k = 0; k < point.stiffnesses.size(); ++k) {
         auto const frames =

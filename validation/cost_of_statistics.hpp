@@ -9,6 +9,8 @@
 
 namespace clack::validation::cost_of_statistics {
 
+constexpr double slope_margin = 0.15, bias_margin = 3e-3;
+
 /// One fluid, by every method with its knob.
 struct Plan {
     pressure_vs_lammps::StatePoint point; // with its theory

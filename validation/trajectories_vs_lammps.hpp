@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace clack::validation::trajectories_vs_lammps {
 
 constexpr double steps_per_contact = 100; // a speed then errs by 1e-6 of itself a contact
 constexpr double equilibration = 30;      // collisions per ball
+
+/// What all jobs run.
+inline std::string deck() { return reference::lammps_deck("lammps_cube.in"); }
 
 /// Balls between walls, and how hard the soft ones are.
 struct StatePoint {
@@ -33,30 +37,33 @@ struct StatePoint {
         double const density = packing_fraction * 6 / std::numbers::pi;
         return {.side = std::cbrt(static_cast<double>(count) / density), .count = count};
     }
-    std::string text(std::string const& deck) const {
+    std::string text() const {
         return fmt::format("packing_fraction={} count={} segment_time={} segments={} "
                            "equilibration={} steps_per_contact={} stiffnesses={} deck={:016x}",
                            packing_fraction, count, segment_time, segments, equilibration,
-                           steps_per_contact, fmt::join(stiffnesses, ","), hash_of(deck));
+                           steps_per_contact, fmt::join(stiffnesses, ","), hash_of(deck()));
     }
 };
 
 /// From a stiffness on at which a contact lasts less than a hundredth of the time between the
-/// collisions of a ball, and two softer ones to show the way there. A segment is so short that of
-/// ten balls five to eight collide, most of them once: the smaller the cube, the more hit walls.
+/// collisions of a ball, and two softer ones to show the way there; the hardest of all, which take
+/// as long as the others together, for the fewest balls. A segment is so short that of ten balls
+/// five to eight collide, most of them once: the smaller the cube, the more hit walls.
 inline std::vector<StatePoint> state_points(Profile const profile) {
     bool const full = profile == Profile::full;
-    auto const ladder = [&](double const hard) {
-        std::vector<double> all;
-        for (double k = hard / 16; k <= hard * (full ? 64 : 16); k *= 4) all.push_back(k);
-        return all;
-    };
+    int const replicates = full ? 20 : 6, more = full ? 5 : 1;
     std::vector<StatePoint> points;
-    for (auto const& [count, segments, time_at_02, time_at_04] :
-         {std::tuple{27, 16, 0.07, 0.0125}, {100, 5, 0.1, 0.025}, {1000, 1, 0.1, 0.025}}) {
-        int const replicates = full ? 20 : 6, more = full ? 5 : 1;
-        points.push_back({0.2, count, time_at_02, more * segments, replicates, ladder(2.6e6), 2});
-        points.push_back({0.4, count, time_at_04, more * segments, replicates, ladder(4e7), 2});
+    for (auto const& [count, segments, time_at_02, time_at_04, hardest] :
+         {std::tuple{27, 16, 0.07, 0.0125, 16},
+          {100, 5, 0.1, 0.025, 4},
+          {1000, 1, 0.1, 0.025, 4}}) {
+        for (auto const& [packing_fraction, time, hard] :
+             {std::tuple{0.2, time_at_02, 2.6e6}, {0.4, time_at_04, 4e7}}) {
+            StatePoint point{packing_fraction, count, time, more * segments, replicates, {}, 2};
+            for (double k = hard / 16; k <= hard * (full ? 64 : hardest); k *= 4)
+                point.stiffnesses.push_back(k);
+            points.push_back(point);
+        }
     }
     return points;
 }
@@ -151,13 +158,13 @@ inline Measurement summary(Found const& found, double const stiffness) {
 
 /// The values of all stiffnesses, one after the other.
 inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
-                           std::string const& deck, Engines const& engines = {}) {
+                           Engines const& engines = {}) {
     auto const segments =
         segments_from(point.system(), equilibrated(point.system(), equilibration, seed),
                       point.segment_time, point.segments, engines.hard);
     SoftRuns const runs{point.system(), point.stiffnesses, steps_per_contact, 0};
     reference::LammpsFolder const folder;
-    runs.run(folder, deck, segments);
+    runs.run(folder, deck(), segments);
     std::vector<Found> found(point.stiffnesses.size());
     for (std::size_t s = 0; s < segments.size(); ++s) {
         std::vector<Eigen::Matrix3Xd> ends;
@@ -175,26 +182,25 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed,
     return values;
 }
 
-/// Slope of log(common median) against log(stiffness) over what is judged, of one replicate.
-inline double slope_of(StatePoint const& point, Measurement const& replicate) {
-    std::vector<double> stiffnesses, medians;
-    for (std::size_t k = point.first_judged; k < point.stiffnesses.size(); ++k) {
-        stiffnesses.push_back(std::log(point.stiffnesses[k]));
-        medians.push_back(std::log(replicate[k * value_count + common_median]));
-    }
-    return line_through(stiffnesses, medians).slope;
-}
-
 /// A state point with what was measured there.
 struct Measured {
     StatePoint point;
     std::vector<Measurement> replicates;
 
+    std::size_t hardest() const { return point.stiffnesses.size() - 1; }
     Estimate mean(std::size_t const level, Value const value) const {
         return mean_of(replicates, level * value_count + value);
     }
-    std::vector<std::string> state() const {
-        return {cell(point.packing_fraction), cell(point.count)};
+    /// Of log(common median) against log(stiffness) over what is judged, replicate by replicate.
+    Estimate slope() const {
+        return mean_of(replicates, [&](Measurement const& replicate) {
+            std::vector<double> stiffnesses, medians;
+            for (std::size_t k = point.first_judged; k <= hardest(); ++k) {
+                stiffnesses.push_back(std::log(point.stiffnesses[k]));
+                medians.push_back(std::log(replicate[k * value_count + common_median]));
+            }
+            return line_through(stiffnesses, medians).slope;
+        });
     }
 };
 
@@ -207,56 +213,49 @@ struct Measured {
 ///   softened    the same, less what head-on collisions do not have of it.
 inline void enter(Ledger& ledger, Measured const& measured) {
     StatePoint const& point = measured.point;
-    auto const slope = [&](Measurement const& replicate) { return slope_of(point, replicate); };
-    ledger.compare(measured.state(), {"slope", "slope"},
-                   {{}, mean_of(measured.replicates, slope), -0.5, 0, 0.03});
-    for (std::size_t k = point.first_judged; k < point.stiffnesses.size(); ++k) {
-        auto const add = [&](std::string const& name, Estimate const& found, double expected,
-                             double margin) {
-            ledger.compare(measured.state(),
-                           {fmt::format("{} at k={:.3g}", name, point.stiffnesses[k]), name},
-                           {{}, found, expected, 0, margin});
-        };
+    std::vector<std::string> const state{cell(point.packing_fraction), cell(point.count)};
+    auto const add = [&](std::string const& name, Estimate const& found, double expected,
+                         double margin) {
+        ledger.compare(state, {name, name}, {{}, found, expected, 0, margin});
+    };
+    add("slope", measured.slope(), -0.5, 0.03);
+    for (std::size_t k = point.first_judged; k <= measured.hardest(); ++k) {
+        std::string const at = fmt::format(" at k={:.3g}", point.stiffnesses[k]);
         double const duration = reference::contact_duration(point.stiffnesses[k]);
         Estimate median = measured.mean(k, plain_median);
         median.value /= duration;
         median.error /= duration;
-        add("median", median, 1.1, 0.2);
-        add("softened", measured.mean(k, softened_median), 0, 1e-6);
-        if (k + 1 < point.stiffnesses.size())
-            add("Richardson", measured.mean(k, richardson_median), 0, 1e-5);
+        add("median" + at, median, 1.1, 0.2);
+        add("softened" + at, measured.mean(k, softened_median), 0, 1e-6);
+        if (k < measured.hardest())
+            add("Richardson" + at, measured.mean(k, richardson_median), 0, 1e-5);
     }
-    ledger.compare(measured.state(), {"kept", "kept"},
-                   {{}, measured.mean(point.stiffnesses.size() - 1, kept_fraction), 1, 0, 0.1});
+    add("kept", measured.mean(measured.hardest(), kept_fraction), 1, 0.1);
 }
 
-/// A share of balls beyond a limit over all stiffnesses that are judged and all state points, which
-/// must have as many replicates and of which the first gives the packing fraction. A near miss that
-/// becomes a hit, or the reverse, takes several balls with it: few replicates would not do.
-inline void enter_beyond(Ledger& ledger, std::vector<Measured> const& points, Value const value) {
-    std::vector<double> shares;
-    double all = 0;
-    for (std::size_t r = 0; r < points.front().replicates.size(); ++r) {
-        double balls = 0, outside = 0;
-        for (Measured const& measured : points) {
-            for (std::size_t k = measured.point.first_judged; k < measured.point.stiffnesses.size();
-                 ++k) {
-                auto const at = [&](Value const v) {
-                    return measured.replicates[r][k * value_count + v];
-                };
-                balls += at(kept_balls);
-                outside += at(kept_balls) * at(value);
+/// A share of balls beyond a limit over all stiffnesses that are judged and all state points of a
+/// packing fraction, which must have as many replicates. A near miss that becomes a hit, or the
+/// reverse, takes several balls with it: few replicates would not do.
+inline void enter_beyond(Ledger& ledger, std::vector<Measured> const& points,
+                         double const packing_fraction, Value const value) {
+    std::vector<double> balls(points.front().replicates.size()), outside = balls;
+    for (Measured const& measured : points) {
+        if (measured.point.packing_fraction != packing_fraction) continue;
+        for (std::size_t k = measured.point.first_judged; k <= measured.hardest(); ++k)
+            for (std::size_t r = 0; r < balls.size(); ++r) {
+                double const* const at = measured.replicates[r].data() + k * value_count;
+                balls[r] += at[kept_balls];
+                outside[r] += at[kept_balls] * at[value];
             }
-        }
-        shares.push_back(outside / balls);
-        all += balls;
     }
+    double const all = std::accumulate(balls.begin(), balls.end(), 0.0);
+    for (std::size_t r = 0; r < balls.size(); ++r) outside[r] /= balls[r];
     // None among so many may be no more than chance.
     double const one_ball = 1 / all;
     char const* const name =
         value == plain_beyond ? "beyond 5 contact durations" : "beyond 1e-5; softened";
-    ledger.compare({cell(points.front().point.packing_fraction), "all"}, {name, name},
-                   {{}, mean_of(shares), 0, one_ball, share_beyond_max});
+    ledger.compare({cell(packing_fraction), "all"}, {name, name},
+                   {{}, mean_of(outside), 0, one_ball, share_beyond_max});
 }
 
 } // namespace clack::validation::trajectories_vs_lammps

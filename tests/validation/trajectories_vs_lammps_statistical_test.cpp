@@ -38,18 +38,17 @@ template <class Real> struct WeakSoftenedBalls : SoftenedBalls<Real> {
 
 /// The ledger of the smallest state point, judged as one of all.
 Ledger ledger_with(Engines const& engines) {
-    std::string const deck = reference::lammps_deck("lammps_cube.in");
     auto const points = state_points(Profile::quick);
     Measured measured{points.front(), {}};
     for (int replicate = 0; replicate < measured.point.replicates; ++replicate) {
         std::uint64_t const seed =
-            seed_of("trajectories_vs_lammps", measured.point.text(deck), replicate);
-        measured.replicates.push_back(measure(measured.point, seed, deck, engines));
+            seed_of("trajectories_vs_lammps", measured.point.text(), replicate);
+        measured.replicates.push_back(measure(measured.point, seed, engines));
     }
     Ledger ledger({{"packing_fraction", ""}, {"count", ""}});
     enter(ledger, measured);
     for (Value const value : {plain_beyond, softened_beyond})
-        enter_beyond(ledger, {measured}, value);
+        enter_beyond(ledger, {measured}, measured.point.packing_fraction, value);
     ledger.judge({.false_alarm = risks.false_alarm / static_cast<double>(points.size())});
     BOOST_TEST_MESSAGE(ledger.text());
     return ledger;
