@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
+#include <algorithm>
 
 namespace clack::validation {
 
@@ -16,101 +16,91 @@ Question const question{
     "complexity",
     "Does the report's table cost O(n^2) to start and O(n) a collision, and do cells cost O(n) to "
     "start and the same a collision at every n?",
-    "0.4 in the exponent",
+    fmt::format("{} in the exponent", margin),
     "below half the distance of the integers in question it belongs to one of them alone, and the "
     "caches have room"};
 
 namespace {
 
-constexpr std::array all_work{Work::start, Work::collision};
-
-char const* name_of(Work const quantity) { return quantity == Work::start ? "start" : "collision"; }
-
-/// A method's start or collision with all that was found out about it.
+/// A method's starts or collisions: mean over the sweeps, smallest size first, and the power of n
+/// that is fitted to them.
 struct Row {
-    std::size_t ladder;
-    Work quantity;
+    Ladder ladder;
+    Work work;
+    std::vector<Estimate> costs;
+    Power power;
     Comparison exponent;
-    std::vector<Estimate> costs; // mean over the sweeps, smallest size first
-    Power power;                 // fitted to them
 };
 
-std::vector<Row> measured(Plan const& plan, Experiment& experiment) {
-    auto const sweeps = experiment.campaign().replicates(
-        plan.text(), plan.replicates,
-        [&](std::uint64_t const seed) { return measure(plan, seed); });
-    std::vector<Row> rows;
-    for (std::size_t ladder = 0; ladder < plan.ladders.size(); ++ladder) {
-        auto const& counts = plan.counts(plan.ladders[ladder].largest);
-        for (Work const quantity : all_work) {
-            Row row{ladder, quantity, compare(plan, ladder, quantity, sweeps), {}, {}};
-            std::vector<double> means;
-            for (std::size_t k = 0; k < counts.size(); ++k) {
-                row.costs.push_back(mean_of(sweeps, [&](Measurement const& sweep) {
-                    return costs_of(plan, ladder, quantity, sweep)[k];
-                }));
-                means.push_back(row.costs.back().value);
-            }
-            row.power = fit_power(plan.counts(plan.largest_fitted), means);
-            rows.push_back(row);
-        }
+Row row_of(Plan const& plan, std::size_t const ladder, Work const work,
+           std::vector<Measurement> const& sweeps) {
+    Row row{plan.ladders[ladder], work, {}, {}, compare(plan, ladder, work, sweeps)};
+    std::vector<double> means;
+    for (std::size_t k = 0; k < plan.counts(row.ladder.largest).size(); ++k) {
+        row.costs.push_back(mean_of(sweeps, [&](Measurement const& sweep) {
+            return costs_of(plan, ladder, work, sweep)[k];
+        }));
+        means.push_back(row.costs.back().value);
     }
-    return rows;
+    row.power = fit_power(plan.counts(plan.largest_fitted), means);
+    return row;
 }
 
 Csv csv_of(Plan const& plan, std::vector<Row> const& rows) {
     Csv csv({"method", "quantity", "count", "cpu_seconds", "cpu_seconds_error", "cpu_seconds_fit",
-             "exponent", "exponent_error", "exponent_expected"});
+             "exponent"});
     for (Row const& row : rows) {
-        Ladder const& ladder = plan.ladders[row.ladder];
-        auto const counts = plan.counts(ladder.largest);
+        auto const counts = plan.counts(row.ladder.largest);
         for (std::size_t k = 0; k < counts.size(); ++k)
-            csv.row({name_of(ladder.method), name_of(row.quantity), cell(counts[k]),
+            csv.row({name_of(row.ladder.method), name_of(row.work), cell(counts[k]),
                      cell(row.costs[k].value), cell(row.costs[k].error),
                      cell(row.power.at(static_cast<double>(counts[k]))),
-                     cell(row.exponent.measured.value), cell(row.exponent.measured.error),
-                     cell(row.exponent.reference)});
+                     cell(row.exponent.measured.value)});
     }
     return csv;
 }
 
-std::string capitalised(std::string word) {
-    word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
-    return word;
-}
-
 Macros macros_of(Plan const& plan, std::vector<Row> const& rows) {
+    auto const of = [&](Method const method, Work const work) {
+        return *std::find_if(rows.begin(), rows.end(), [=](Row const& row) {
+            return row.ladder.method == method && row.work == work;
+        });
+    };
+    Row const start = of(Method::table, Work::start), table = of(Method::table, Work::collision);
+    Row const fast = of(Method::fast, Work::collision);
     Macros macros("Complexity");
     macros.define("PackingFraction", fmt::format("{}", plan.packing_fraction));
-    macros.define("Sweeps", fmt::format("{}", plan.replicates));
-    macros.define("LargestFittedCount", fmt::format("{}", plan.largest_fitted));
-    macros.define("Margin", fmt::format("{}", margin));
-    for (Row const& row : rows) {
-        Ladder const& ladder = plan.ladders[row.ladder];
-        std::string const name =
-            capitalised(name_of(ladder.method)) + capitalised(name_of(row.quantity));
-        macros.define(name + "Exponent", with_error(row.exponent.measured));
-        macros.define(name + "Microseconds", significant(1e6 * row.costs.back().value, 2));
-        macros.define(name + "LargestCount", fmt::format("{}", ladder.largest));
-    }
+    macros.define("LargestFittedCount", cell(plan.largest_fitted));
+    macros.define("TableStartExponent", with_error(start.exponent.measured));
+    macros.define("TableCollisionExponent", with_error(table.exponent.measured));
+    macros.define("FastCollisionExponent", with_error(fast.exponent.measured));
+    macros.define("TableCollisionLargestCount", cell(table.ladder.largest));
+    macros.define("TableCollisionMicroseconds", significant(1e6 * table.costs.back().value, 2));
     // The table's largest size stands at the same place on the ladders of all methods.
-    std::size_t const last = plan.counts(plan.ladders.front().largest).size() - 1;
-    macros.define("TableOverFast",
-                  significant(rows[1].costs[last].value / rows.back().costs[last].value, 2));
+    macros.define(
+        "TableOverFast",
+        significant(table.costs.back().value / fast.costs[table.costs.size() - 1].value, 2));
     return macros;
 }
 
 } // namespace
 
 Verdict ask(Experiment& experiment) {
-    Plan const sizes = plan(experiment.profile());
-    std::vector<Row> const rows = measured(sizes, experiment);
+    Plan const plan = complexity::plan(experiment.profile());
+    auto const sweeps = experiment.campaign().replicates(
+        plan.text(), plan.replicates,
+        [&](std::uint64_t const seed) { return measure(plan, seed); });
+    std::vector<Row> rows;
     Ledger ledger({{"method", "method"}, {"of_a", "of a"}});
-    for (Row const& row : rows)
-        ledger.compare({name_of(sizes.ladders[row.ladder].method), name_of(row.quantity)},
-                       {"exponent", "exponent"}, row.exponent);
-    experiment.write(csv_of(sizes, rows), "_costs");
-    return conclude(experiment, ledger, macros_of(sizes, rows), of_timing);
+    for (std::size_t ladder = 0; ladder < plan.ladders.size(); ++ladder) {
+        for (Work const work : {Work::start, Work::collision}) {
+            rows.push_back(row_of(plan, ladder, work, sweeps));
+            ledger.compare({name_of(plan.ladders[ladder].method), name_of(work)},
+                           {"exponent", "exponent"}, rows.back().exponent);
+        }
+    }
+    experiment.write(csv_of(plan, rows), "_costs");
+    return conclude(experiment, ledger, macros_of(plan, rows), of_timing);
 }
 
 } // namespace clack::validation

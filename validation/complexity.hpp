@@ -38,11 +38,7 @@ struct Plan {
     std::vector<Ladder> ladders;
     int replicates;
 
-    std::int64_t largest() const {
-        std::int64_t count = smallest;
-        for (Ladder const& ladder : ladders) count = std::max(count, ladder.largest);
-        return count;
-    }
+    std::int64_t largest() const { return std::ranges::max(ladders, {}, &Ladder::largest).largest; }
     std::string text() const {
         return fmt::format("packing_fraction={} counts={}-{}", packing_fraction, smallest,
                            largest());
@@ -161,6 +157,7 @@ inline Power fit_power(std::vector<std::int64_t> const& counts, std::vector<doub
 }
 
 enum class Work : std::size_t { start, collision };
+inline char const* name_of(Work const work) { return work == Work::start ? "start" : "collision"; }
 
 /// The costs of one ladder in one sweep, smallest size first.
 inline std::vector<double> costs_of(Plan const& plan, std::size_t const ladder, Work const quantity,
@@ -179,16 +176,12 @@ inline std::vector<double> costs_of(Plan const& plan, std::size_t const ladder, 
 inline Comparison compare(Plan const& plan, std::size_t const ladder, Work const quantity,
                           std::vector<Measurement> const& sweeps) {
     Ladder const& expected = plan.ladders[ladder];
-    std::vector<double> exponents;
-    for (Measurement const& sweep : sweeps)
-        exponents.push_back(
-            fit_power(plan.counts(plan.largest_fitted), costs_of(plan, ladder, quantity, sweep))
-                .exponent);
-    bool const start = quantity == Work::start;
-    return {.name = fmt::format("{} {}", name_of(expected.method), start ? "start" : "collision"),
-            .measured = mean_of(exponents),
-            .reference = start ? expected.start_power : expected.collision_power,
-            .reference_error = 0,
+    auto const exponent = [&](Measurement const& sweep) {
+        return fit_power(plan.counts(plan.largest_fitted), costs_of(plan, ladder, quantity, sweep))
+            .exponent;
+    };
+    return {.measured = mean_of(sweeps, exponent),
+            .reference = quantity == Work::start ? expected.start_power : expected.collision_power,
             .margin = margin};
 }
 
