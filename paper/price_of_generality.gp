@@ -6,7 +6,8 @@ load 'paper/style.gp'
 prices = data . '/price_of_generality.csv'
 choices = data . '/price_of_generality_auto.csv'
 fractions = system(sprintf("grep -v '^#' %s | tail -n +2 | cut -d, -f3 | sort -gu | tr '\n' ' '", choices))
-rows = int(system(sprintf("grep -v '^#' %s | tail -n +2 | wc -l", prices)))
+# They stand first, and nothing else is a guide.
+rows = int(system(sprintf("grep -c ',guide$' %s", prices)))
 shortest = 0.85
 longest = 1.25
 within(x) = x < shortest ? shortest : x > longest ? longest : x
@@ -25,11 +26,11 @@ set xlabel 'time of a collision / smallest model' offset 0, 0.5
 set ytics scale 0
 set style fill solid 0.55 noborder
 set arrow from 1, graph 0 to 1, graph 1 nohead ls 10 front
-name = "(strcol(1) . (strcol(2) eq 'whole' ? '' : '*'))"
-plot prices using (within($3)):0:(1):(within($3)):($0 - 0.3):($0 + 0.3):ytic(@name) every ::1 with boxxyerror lc rgb '#56b4e9', \
-     prices using ($3 < longest ? $3 : NaN):0:4 every ::1 with xerrorbars ls 1 ps 0 lw thin, \
-     prices using ($3 < longest ? NaN : longest):0:('…') every ::1 with labels left offset -1.6, 0, \
-     prices using (longest):0:(sprintf($3 < 2 ? '%.3f ± %.3f' : '%.1f ± %.1f', $3, $4)) every ::1 with labels left offset 0.6, 0
+first = 'every ::1::rows'
+plot prices using (within($5)):0:(1):(within($5)):($0 - 0.3):($0 + 0.3):ytic(4) @first with boxxyerror lc rgb '#56b4e9', \
+     prices using ($5 < longest ? $5 : NaN):0:6 @first with xerrorbars ls 1 ps 0 lw thin, \
+     prices using ($5 < longest ? NaN : longest):0:('…') @first with labels left offset -1.6, 0, \
+     prices using (longest):0:(sprintf($5 < 2 ? '%.3f ± %.3f' : '%.1f ± %.1f', $5, $6)) @first with labels left offset 0.6, 0
 unset arrow
 
 # A map of the methods: what `auto` chooses by number of balls and packing fraction, and its rate
@@ -60,7 +61,7 @@ do for [k = 1:5] {
     set object k rect from screen x, y to screen x + 0.026, y + 0.012 fc rgb colours[k] fs solid border lc rgb '#777777'
     set label k word(titles, k) at screen x + 0.04, y + 0.006 left font ',8'
 }
-map = "plot choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(0.5):(0.5):(colour(strcol(4), strcol(5))) every ::1 with boxxyerror lc rgb variable, choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(sprintf('%.2f', $12)) every ::1 with labels font ',4.6'"
+map = "plot choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(0.5):(0.5):(colour(strcol(4), strcol(5))) every ::1 with boxxyerror lc rgb variable, choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(sprintf('%.2f', $6)) every ::1 with labels font ',4.6'"
 
 set tmargin at screen 0.435
 set bmargin at screen 0.265

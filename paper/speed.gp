@@ -4,12 +4,12 @@
 height = 13.4
 load 'paper/style.gp'
 
-rates = data . '/speed.csv'
-targets = data . '/speed_targets.csv'
+rates = data . '/speed_rates.csv'
+account = data . '/speed.csv'
 column_of(file, k) = system(sprintf("grep -v '^#' %s | tail -n +2 | cut -d, -f%d | sort -gu | tr '\n' ' '", file, k))
 fractions = column_of(rates, 3)
 counts = column_of(rates, 2)
-aim = real(system(sprintf("awk -F, '$1 == \"5 heaps\" { print $7; exit }' %s", targets)))
+aim = real(system(sprintf("awk -F, '$4 == \"aim_over_heap\" { print $7; exit }' %s", account)))
 only(boundary, method, y) = strcol(1) eq boundary && strcol(4) eq method ? y : NaN
 at(k, value, list) = value == real(word(list, k)) ? 1 : NaN
 million = 1e-6

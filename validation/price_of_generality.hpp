@@ -7,15 +7,14 @@
 #include "scheduling/calendar.hpp"
 #include "simulation/engine_of.hpp"
 #include "simulation/epoch.hpp"
+#include "simulation/model_choice.hpp"
 #include "state/errors.hpp"
-#include "validation/harness/campaign.hpp"
 #include "validation/harness/engine_maker.hpp"
 #include "validation/harness/lattice_start.hpp"
-#include "validation/harness/options.hpp"
-#include "validation/harness/processor_time.hpp"
-#include "validation/harness/ratio.hpp"
+#include "validation/harness/ledger.hpp"
 #include "validation/ingredients.hpp"
 #include "validation/sized_balls.hpp"
+#include "validation/timed_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -24,15 +23,6 @@
 #include <string>
 
 namespace clack::validation::price {
-
-inline System cube(Boundary const boundary, std::int64_t const count,
-                   double const packing_fraction) {
-    System made;
-    made.boundary = boundary;
-    made.count = count;
-    made.side = std::cbrt(static_cast<double>(count) * std::numbers::pi / (6 * packing_fraction));
-    return made;
-}
 
 /// Balls in equilibrium; by the table where they are few. In a periodic cube none begins on the
 /// edge of a cell, where two balls that mirror each other would come back to.
@@ -46,31 +36,13 @@ inline Start equilibrated(System const& system, std::uint64_t const seed) {
         make_true_method(system, system.count > few ? Method::fast : Method::table, lattice);
     engine->advance(
         {.ball_collisions = collisions_per_ball * static_cast<std::uint64_t>(system.count)});
-    Snapshot const snapshot = engine->snapshot();
-    return {snapshot.positions, snapshot.velocities};
+    return start_of(*engine);
 }
-
-/// An engine on its way, timed a slice at a time.
-struct Run {
-    std::unique_ptr<Engine> engine;
-    std::unique_ptr<CollisionObserver> observer = {};
-    std::uint64_t done = 0; // collisions, timed or not
-
-    /// Processor time of a slice of collisions. A third goes first, untimed: others have had the
-    /// caches meanwhile.
-    double go(std::uint64_t const slice) {
-        done += slice / 3;
-        engine->advance({.ball_collisions = done}, observer.get());
-        double const begin = processor_seconds();
-        done += slice;
-        engine->advance({.ball_collisions = done}, observer.get());
-        return processor_seconds() - begin;
-    }
-};
 
 /// How many times as long as the first the second takes. They go in turn, first, second, second,
 /// first, so that neither always has the processor when it has just been given back.
-inline double times_as_long(Run& first, Run& second, std::uint64_t const slice, int const rounds) {
+inline double times_as_long(TimedRun& first, TimedRun& second, std::uint64_t const slice,
+                            int const rounds) {
     std::vector<double> ratios;
     for (int round = 0; round < rounds; ++round) {
         double const before = first.go(slice), between = second.go(slice) + second.go(slice);
@@ -126,52 +98,46 @@ enum class Sameness {
     first_collisions // other arithmetic: the same partners at first
 };
 
-enum class Priced {
-    whole,
-    from_below // as far as the seams carry it (ingredients.hpp)
-};
-
-/// Something that a scene may ask for, neutral in the scene at hand.
+/// Something that a scene may ask for, neutral in the scene at hand. An asterisk marks what is
+/// priced from below, as far as the seams carry it (ingredients.hpp).
 struct Ingredient {
     char const* name;
-    std::function<Run(System const&, Start const&)> run;
+    std::function<TimedRun(System const&, Start const&)> run;
     Sameness sameness = Sameness::bits;
-    Priced priced = Priced::whole;
     std::uint64_t slowness = 1; // about how many times as long as the plain run it takes, if many
 };
 
 template <class Real = double, template <class> class Model = ElasticBalls>
-Run run_with(System const& system, Start const& start) {
+TimedRun run_with(System const& system, Start const& start) {
     return {engine_with<Real, Model>(system, start)};
 }
-inline Run hashed_run(System const& system, Start const& start) {
-    Run run{engine_with(system, start)};
+inline TimedRun hashed_run(System const& system, Start const& start) {
+    TimedRun run{engine_with(system, start)};
     run.engine->hash_collisions();
     return run;
 }
-inline Run kept_run(System const& system, Start const& start) {
+inline TimedRun kept_run(System const& system, Start const& start) {
     return {engine_with(system, start), std::make_unique<EventKeeper>()};
 }
-inline Run checked_run(System const& system, Start const& start) {
+inline TimedRun checked_run(System const& system, Start const& start) {
     return {engine_with(system, start), std::make_unique<EventChecker>(system, start)};
 }
 
 inline std::vector<Ingredient> const& ingredients() {
     using enum Sameness;
-    using enum Priced;
     static std::vector<Ingredient> const all{
         {"periodic code", run_with<double, WrappedPairs>},
         {"a mass for each ball", run_with<double, MassOfEach>},
         {"a diameter for each ball", run_with<double, DiameterOfEach>},
         {"a restitution", run_with<double, Restitution>},
-        {"a constant field", run_with<double, ConstantField>, bits, from_below},
+        {"a constant field*", run_with<double, ConstantField>},
         {"growing balls", run_with<double, UngrownBalls>, first_collisions},
         {"the hash of all events", hashed_run},
         {"records of all events", kept_run},
         {"laws checked at all events", checked_run},
         {"float", run_with<float>, first_collisions},
-        {"long double", run_with<long double>, first_collisions, whole, 4},
-        {"quad", run_with<quad>, first_collisions, whole, 20}};
+        {"long double", run_with<long double>, first_collisions, 4},
+        {"quad", run_with<quad>, first_collisions, 20}};
     return all;
 }
 
@@ -180,7 +146,7 @@ struct Plain {
     std::int64_t count;
     double packing_fraction;
     std::uint64_t slice; // collisions
-    int rounds;
+    int rounds, replicates;
 
     std::string text() const {
         return fmt::format("ingredients count={} packing_fraction={} slice={} rounds={}", count,
@@ -188,6 +154,10 @@ struct Plain {
     }
     System system() const { return cube(Boundary::walls, count, packing_fraction); }
 };
+inline Plain plain(Profile const profile) {
+    if (profile == Profile::quick) return {1'000, 0.2, 500, 25, 5};
+    return {1'000, 0.2, 5'000, 51, 9};
+}
 
 /// Whom each ball meets, in their order: balls, and walls as negative numbers.
 struct Partners final : CollisionObserver {
@@ -220,9 +190,9 @@ inline double require_neutral(Ingredient const& ingredient, System const& system
     constexpr std::uint64_t collisions_per_ball = 5;
     Goal const goal{.ball_collisions =
                         collisions_per_ball * static_cast<std::uint64_t>(system.count)};
-    Run const plain = run_with<>(system, start), with = ingredient.run(system, start);
+    TimedRun const plain = run_with<>(system, start), with = ingredient.run(system, start);
     Partners of_plain(system.count), of_with(system.count);
-    for (Run const* const run : {&plain, &with}) run->engine->hash_collisions();
+    for (TimedRun const* const run : {&plain, &with}) run->engine->hash_collisions();
     plain.engine->advance(goal, &of_plain);
     with.engine->advance(goal, &of_with);
     double const common = in_common(of_plain, of_with);
@@ -233,16 +203,16 @@ inline double require_neutral(Ingredient const& ingredient, System const& system
     return same ? infinity<double> : common;
 }
 
-/// For each ingredient: its cost over the plain run's, and the meetings in common.
+/// For each ingredient: its cost over the plain run's.
 inline Measurement measure(Plain const& plain, std::uint64_t const seed) {
     System const system = plain.system();
     Start const start = equilibrated(system, seed);
     Measurement all;
     for (Ingredient const& ingredient : ingredients()) {
-        Run without = run_with<>(system, start), with = ingredient.run(system, start);
+        TimedRun without = run_with<>(system, start), with = ingredient.run(system, start);
         all.push_back(
             times_as_long(without, with, plain.slice / ingredient.slowness, plain.rounds));
-        all.push_back(require_neutral(ingredient, system, start));
+        require_neutral(ingredient, system, start);
     }
     return all;
 }
@@ -256,12 +226,14 @@ struct Point {
     Boundary boundary;
     std::int64_t count;
     double packing_fraction;
-    int rounds;
+    int rounds, replicates;
 
     std::string text() const {
-        return fmt::format("auto {} count={} packing_fraction={} rounds={}",
-                           boundary == Boundary::walls ? "walls" : "periodic", count,
-                           packing_fraction, rounds);
+        return fmt::format("auto {} count={} packing_fraction={} rounds={}", name_of(boundary),
+                           count, packing_fraction, rounds);
+    }
+    std::vector<std::string> state() const {
+        return {name_of(boundary), cell(count), cell(packing_fraction)};
     }
     System system() const { return cube(boundary, count, packing_fraction); }
     /// Whether that many balls have room on the lattice of the start.
@@ -278,6 +250,19 @@ struct Point {
     }
 };
 
+inline std::vector<Point> points(Profile const profile) {
+    bool const full = profile == Profile::full;
+    std::vector<std::int64_t> counts{2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 100, 200, 500, 2'000};
+    if (full) counts.insert(counts.end(), {8'000, 32'000});
+    std::vector<Point> all;
+    for (Boundary const boundary : {Boundary::walls, Boundary::periodic})
+        for (double const packing_fraction : {0.01, 0.05, 0.2, 0.4, 0.49})
+            for (std::int64_t const count : counts)
+                all.push_back({boundary, count, packing_fraction, full ? 15 : 3, full ? 9 : 5});
+    std::erase_if(all, [](Point const& point) { return !point.has_room(); });
+    return all;
+}
+
 /// The rate of `auto` over that of each method; infinity where `auto` is that very method.
 inline Measurement measure(Point const& point, std::uint64_t const seed,
                            MethodMaker const& make = make_true_method) {
@@ -285,13 +270,27 @@ inline Measurement measure(Point const& point, std::uint64_t const seed,
     Start const start = equilibrated(system, seed);
     Measurement all;
     for (Method const method : methods) {
-        Run chosen{make(system, Method::automatic, start)}, run{make(system, method, start)};
+        TimedRun chosen{make(system, Method::automatic, start)}, run{make(system, method, start)};
         ModelDescription const one = run.engine->model(), other = chosen.engine->model();
         bool const same = one.search == other.search && one.queue == other.queue;
         all.push_back(same ? infinity<double>
                            : times_as_long(chosen, run, point.slice(method), point.rounds));
     }
     return all;
+}
+
+constexpr double least = 0.9; // of the rate of each method
+
+/// `auto` beside each other method at one point.
+inline void enter(Ledger& ledger, Point const& point, std::vector<Measurement> const& replicates) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+        if (replicates.front()[m] == infinity<double>) continue;
+        ledger.compare(point.state(),
+                       {fmt::format("auto_over_{}", name_of(methods[m])), name_of(methods[m])},
+                       {.measured = median_of(replicates, [=](auto const& r) { return r[m]; }),
+                        .reference = least,
+                        .asks = Asks::whether_at_least});
+    }
 }
 
 } // namespace clack::validation::price

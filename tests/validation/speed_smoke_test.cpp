@@ -17,29 +17,23 @@ Point const small{.count = 600,
                   .collisions = 900,
                   .table_collisions = 120};
 
-Found found_with(MethodMaker const& make) {
+Ledger ledger_with(MethodMaker const& make) {
     Found found{small, {}};
     for (std::uint64_t seed = 0; seed < 5; ++seed)
         found.replicates.push_back(measure(small, seed, {}, make));
-    return found;
+    return ledger_of({found});
 }
 
 Verdict judged(double const value, double const error) {
-    return judge({at_least(0.9, {value, error, 4})}, of_timing).front().verdict;
+    return judge({{.measured = {value, error, 4},
+                   .reference = least,
+                   .asks = Asks::whether_at_least}},
+                 of_timing)
+        .front()
+        .verdict;
 }
 
 } // namespace
-
-BOOST_AUTO_TEST_CASE(costs_come_back_from_the_campaign) {
-    Costs costs;
-    costs[in_walls][fast] = {1e-6, 250, {0.1, 0.2, 0.3, 0.15, 0.25}};
-    costs[in_periodic][peer].seconds = 2e-6;
-    Costs const again = costs_of(flat(costs));
-    BOOST_TEST(again[in_walls][fast].bytes == 250);
-    BOOST_TEST(again[in_walls][fast].shares == costs[in_walls][fast].shares);
-    BOOST_TEST(again[in_periodic][peer].seconds == 2e-6);
-    BOOST_TEST(std::isnan(again[in_periodic][table].seconds));
-}
 
 BOOST_AUTO_TEST_CASE(median_is_not_moved_by_one_disturbed_replicate) {
     BOOST_TEST(median_of({5, 1, 2, 3, 900}).value == 3);
@@ -68,7 +62,7 @@ BOOST_AUTO_TEST_CASE(peer_is_called_with_its_arguments_and_its_last_line_is_read
 BOOST_AUTO_TEST_CASE(being_watched_leaves_no_trace) {
     for (Boundary const boundary : boundaries) {
         for (Method const method : methods) {
-            System const system = small.system(boundary);
+            System const system = cube(boundary, small.count, small.packing_fraction);
             Start const start = lattice_start(system, 1);
             auto const alone = make_true_method(system, method, start);
             auto const seen = boundary == Boundary::walls
@@ -82,7 +76,7 @@ BOOST_AUTO_TEST_CASE(being_watched_leaves_no_trace) {
 }
 
 BOOST_AUTO_TEST_CASE(parts_are_told_apart) {
-    System const system = small.system(Boundary::periodic);
+    System const system = small.system(in_periodic);
     Start const start = lattice_start(system, 1);
     Shares const by_table = shares(system, Method::table, start, 100);
     Shares const by_heap = shares(system, Method::heap, start, 1000);
@@ -101,14 +95,12 @@ BOOST_AUTO_TEST_CASE(parts_are_told_apart) {
 
 // The mutant: `fast` that scans all balls.
 BOOST_AUTO_TEST_CASE(fast_method_that_is_slow_is_caught) {
-    std::vector<Found> const all{
-        found_with([](System const& system, Method const method, Start const& start) {
+    Ledger const slow =
+        ledger_with([](System const& system, Method const method, Start const& start) {
             return make_true_method(system, method == Method::fast ? Method::table : method, start);
-        })};
-    for (Target const& target : targets_of(all))
-        if (target.yardstick == Yardstick::heap) BOOST_TEST((target.verdict == Verdict::differs));
-    for (Target const& target : targets_of({found_with(make_true_method)}))
-        if (is_judged(target.yardstick)) BOOST_TEST((target.verdict != Verdict::differs));
+        });
+    BOOST_TEST((slow.verdict("fast_over_heap") == Verdict::differs));
+    BOOST_TEST((ledger_with(make_true_method).verdict() != Verdict::differs));
 }
 
 BOOST_AUTO_TEST_CASE(method_that_goes_another_way_is_caught) {
