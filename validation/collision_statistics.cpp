@@ -52,7 +52,8 @@ Verdict ask(Experiment& experiment) {
     for (std::size_t k = 0; k < points.size(); ++k) {
         StatePoint const& point = points[k];
         enter(ledger, point, all[k]);
-        collisions += point.replicates * point.production * static_cast<double>(point.count) / 2;
+        collisions += static_cast<double>(all[k].size()) * point.production *
+                      static_cast<double>(point.count) / 2;
     }
     experiment.write(
         histogram(points, all, "time_per_mean_free_time", value_count, time_bins, time_bin),

@@ -99,8 +99,17 @@ std::vector<std::vector<Measurement>> Campaign::replicates(std::vector<Task> con
     save();
     for (std::size_t k = 1; k <= tasks.size(); ++k) std::filesystem::remove(part_of(path_, k));
     std::vector<std::vector<Measurement>> all;
-    for (Task const& task : tasks) all.push_back(measured(task));
+    for (Task task : tasks) {
+        task.replicates *= times_as_many_;
+        all.push_back(measured(task));
+    }
+    has_tasks_ = true;
     return all;
+}
+
+bool Campaign::lengthen() {
+    times_as_many_ *= 2;
+    return has_tasks_;
 }
 
 std::vector<Measurement> Campaign::replicates(std::string const& state_point, int const count,
@@ -112,7 +121,7 @@ std::vector<Measurement> Campaign::replicates(std::string const& state_point, in
 std::vector<Measurement> Campaign::measured(Task const& task) {
     auto const& [state_point, count, measure] = task;
     auto& known = known_[state_point];
-    ++points_asked_for_;
+    bool const first_time = asked_for_.insert(state_point).second;
     int missing = 0;
     for (int number = 0; number < count; ++number) missing += !known.contains(number);
     if (missing > 0)
@@ -122,7 +131,7 @@ std::vector<Measurement> Campaign::measured(Task const& task) {
     std::vector<Measurement> all;
     for (int number = 0; number < count; ++number) {
         if (auto const found = known.find(number); found != known.end()) {
-            seconds_recalled_ += found->second.seconds;
+            if (first_time) seconds_recalled_ += found->second.seconds;
         } else {
             std::uint64_t const seed = seed_of(seeded_by_, state_point, number);
             double const before = processor_seconds_in_all();

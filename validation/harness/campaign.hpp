@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -97,8 +98,12 @@ public:
     /// started and for the replicates that were found in the file.  [s]
     double seconds() const;
 
-    /// How often the replicates of a state point were asked for.
-    int points_asked_for() const { return points_asked_for_; }
+    /// State points whose replicates were asked for.
+    int points_asked_for() const { return static_cast<int>(asked_for_.size()); }
+
+    /// From now on each task has twice as many replicates, those of before among them. False where
+    /// no tasks were asked for, which alone can be told so.
+    bool lengthen();
 
 private:
     void take_in(std::filesystem::path const& path);
@@ -110,7 +115,9 @@ private:
     Share share_;
     std::filesystem::path path_;
     Replicates known_;
-    int points_asked_for_ = 0;
+    int times_as_many_ = 1;
+    bool has_tasks_ = false;
+    std::set<std::string> asked_for_;
     double seconds_recalled_ = 0;
 };
 

@@ -63,6 +63,10 @@ int judged(Experiment& experiment, std::string const& stem,
     Verdict verdict = Verdict::differs;
     try {
         verdict = answer(experiment);
+        while (verdict == Verdict::undecided && experiment.look_again()) {
+            std::cout << fmt::format("{}: undecided: again, with twice as many replicates\n", stem);
+            verdict = answer(experiment);
+        }
     } catch (LawBroken const& broken) {
         std::cerr << fmt::format("{}: {}\n", stem, broken.what());
     }
@@ -93,6 +97,13 @@ Experiment::Experiment(Question asked, Options options)
     : question_(std::move(asked)), options_(std::move(options)),
       campaign_(question_.stem, options_.directory, program_hash(), options_.seed_set,
                 options_.share) {}
+
+bool Experiment::look_again() {
+    if (look_ == most_looks || !campaign_.lengthen()) return false;
+    ++look_;
+    forget_judged();
+    return true;
+}
 
 void Experiment::leave(std::string const& ending, std::string const& text) const {
     write_file(options_.directory / (question_.stem + ending), text);

@@ -49,6 +49,12 @@ public:
     Profile profile() const { return options_.profile; }
     Campaign& campaign() { return campaign_; }
 
+    /// How often the question has been asked. What is undecided is asked again, `most_looks` times
+    /// at most, of twice as many replicates each time.
+    int look() const { return look_; }
+    static constexpr int most_looks = 3;
+    bool look_again();
+
     /// Writes directory/stem<suffix>.csv under the provenance.
     void write(Csv const& csv, std::string const& suffix = "") const;
     /// Writes directory/stem.tex.
@@ -65,6 +71,7 @@ private:
     Question question_;
     Options options_;
     Campaign campaign_;
+    int look_ = 1;
 };
 
 /// What an experiment's source defines, and nothing else: the main of all experiments, which the

@@ -37,8 +37,9 @@ struct Comparison {
     Asks asks = Asks::whether_near;
 };
 
-/// The probabilities of a wrong verdict. Thirty families of comparisons, more than the quick
-/// profile judges, raise a false alarm with a probability of 1e-4 at most.
+/// The probabilities of a wrong verdict at one look. Twenty-five families of comparisons, more than
+/// the quick profile judges, raise a false alarm with a probability of 1e-4 at most, with all that
+/// is looked at again (Experiment::look).
 struct Risks {
     double false_alarm = 1e-4 / 30; // any of the comparisons `differs` though none does
     double false_agreement = 0.05;  // one comparison `agrees` though it differs by the margin

@@ -57,6 +57,36 @@ BOOST_AUTO_TEST_CASE(mistakes_on_the_command_line_are_the_users) {
     BOOST_TEST(run_with({"--help"}, never) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(what_is_undecided_is_asked_again_of_more_replicates) {
+    TemporaryDirectory const directory("experiment");
+    std::vector<char const*> const there{"-o", directory.path.c_str()};
+    int measured = 0;
+    std::vector<std::size_t> looks;
+    // Decided by sixteen replicates, or by none.
+    auto const ask_with = [&](std::string const& state, std::size_t const enough) {
+        return [&, state, enough](Experiment& experiment) {
+            auto const all = experiment.campaign().replicates({{state, 4, [&](std::uint64_t) {
+                                                                    ++measured;
+                                                                    return Measurement{1};
+                                                                }}});
+            looks.push_back(all.front().size());
+            return all.front().size() < enough ? Verdict::undecided : Verdict::agrees;
+        };
+    };
+    BOOST_TEST(run_with(there, ask_with("a", 16)) == 0);
+    BOOST_TEST(looks == (std::vector<std::size_t>{4, 8, 16}), boost::test_tools::per_element());
+    BOOST_TEST(measured == 16);
+    BOOST_TEST(run_with(there, ask_with("b", 17)) == 1);
+    BOOST_TEST(looks.size() == 6u);
+    // A question without tasks cannot be asked of more.
+    int asked = 0;
+    BOOST_TEST(run_with(there, [&](Experiment&) {
+                   ++asked;
+                   return Verdict::undecided;
+               }) == 1);
+    BOOST_TEST(asked == 1);
+}
+
 BOOST_AUTO_TEST_CASE(experiment_that_is_not_shared_out_is_not_asked_for_a_share) {
     TemporaryDirectory const directory("experiment");
     BOOST_TEST(run_with({"-o", directory.path.c_str(), "--list"}, never) == 0);
