@@ -6,8 +6,8 @@
 #include "observables/pressure.hpp"
 #include "reference/finite_size.hpp"
 #include "reference/free_flights.hpp"
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/mutants/engine_maker.hpp"
 #include "validation/statistics/goodness_of_fit.hpp"
 #include "validation/statistics/verdict.hpp"
 

@@ -2,8 +2,6 @@
 
 #include "validation/conservation.hpp"
 
-#include "validation/harness/experiment.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,12 +44,11 @@ Measurement flat(std::vector<Moment> const& moments) {
     return numbers;
 }
 
-std::vector<Moment> unflat(Measurement const& numbers) {
-    std::vector<Moment> moments;
-    for (std::size_t k = 0; k + 4 < numbers.size(); k += 5)
-        moments.push_back(
-            {numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3], numbers[k + 4]});
-    return moments;
+Run run_of(StatePoint const& point, Measurement const& flat) {
+    Run run{point, point.scene(0).system, {}};
+    for (std::size_t k = 0; k + 4 < flat.size(); k += 5)
+        run.moments.push_back({flat[k], flat[k + 1], flat[k + 2], flat[k + 3], flat[k + 4]});
+    return run;
 }
 
 Csv csv_of(std::vector<Run> const& runs) {
@@ -59,27 +56,36 @@ Csv csv_of(std::vector<Run> const& runs) {
              "momentum_change", "drift_bound", "deepest_overlap_per_diameter",
              "overlap_bound_per_diameter", "wall_distance_error_per_diameter",
              "wall_bound_per_diameter"});
-    for (Run const& run : runs)
-        for (Moment const& m : run.moments)
-            csv.row({cell(std::string(run.point.boundary_name())), cell(run.point.packing_fraction),
-                     cell(run.point.count), cell(m.collisions_per_ball),
-                     cell(std::abs(m.energy_drift)), cell(m.momentum),
-                     cell(drift_bound(m.collisions_per_ball)), cell(m.deepest_overlap),
-                     cell(overlap_bound(run.system)), cell(m.wall_distance),
-                     cell(wall_bound(run.system))});
+    for (auto const& [point, system, moments] : runs)
+        for (Moment const& m : moments)
+            csv.row(point.boundary_name(), point.packing_fraction, point.count,
+                    m.collisions_per_ball, std::abs(m.energy_drift), m.momentum,
+                    drift_bound(m.collisions_per_ball), m.deepest_overlap, overlap_bound(system),
+                    m.wall_distance, wall_bound(system));
     return csv;
 }
 
-Macros macros_of(std::vector<Run> const& runs, Verdict const verdict) {
+std::string line_of(Run const& run) {
+    Moment const& last = run.moments.back();
+    return fmt::format("{:8} packing fraction {:.2f}, {} collisions a ball: energy drift {:+.1e}, "
+                       "momentum {:.1e} (bound {:.1e}), overlap {:.1e} (bound {:.1e}), wall {:.1e} "
+                       "(bound {:.1e})  {}\n",
+                       run.point.boundary_name(), run.point.packing_fraction,
+                       last.collisions_per_ball, last.energy_drift, last.momentum,
+                       drift_bound(last.collisions_per_ball), last.deepest_overlap,
+                       overlap_bound(run.system), last.wall_distance, wall_bound(run.system),
+                       name_of(run.verdict()));
+}
+
+Macros macros_of(std::vector<Run> const& runs) {
     double energy = 0, momentum = 0, overlap = 0, wall = 0;
-    for (Run const& run : runs) {
+    for (Run const& run : runs)
         for (Moment const& m : run.moments) {
             energy = std::max(energy, std::abs(m.energy_drift));
             momentum = std::max(momentum, m.momentum);
             overlap = std::max(overlap, m.deepest_overlap);
             wall = std::max(wall, m.wall_distance);
         }
-    }
     Macros macros("Conservation");
     macros.define("Balls", cell(runs.front().point.count));
     macros.define("CollisionsPerBall", cell(runs.front().point.collisions_per_ball));
@@ -87,39 +93,27 @@ Macros macros_of(std::vector<Run> const& runs, Verdict const verdict) {
     macros.define("MomentumChange", significant(momentum, 2));
     macros.define("DeepestOverlap", significant(overlap, 2));
     macros.define("WallDistance", significant(wall, 2));
-    macros.define("Verdict", name_of(verdict));
     return macros;
 }
 
 } // namespace
 
 Verdict ask(Experiment& experiment) {
-    std::vector<Run> runs;
-    std::vector<Verdict> verdicts;
     auto const points = state_points(experiment.profile());
     auto const replicates = experiment.campaign().replicates(
         tasks_of(points, [](StatePoint const& point, std::uint64_t const seed) {
             return flat(measure(point, seed));
         }));
+    std::vector<Run> runs;
+    std::vector<Verdict> verdicts;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        StatePoint const& point = points[k];
-        runs.push_back({point, point.scene(0).system, unflat(replicates[k].front())});
-        Run const& run = runs.back();
-        verdicts.push_back(run.verdict());
-        Moment const& last = run.moments.back();
-        std::cout << fmt::format("{:8} packing fraction {:.2f}, {} collisions a ball: energy drift "
-                                 "{:+.1e}, momentum {:.1e} (bound {:.1e}), overlap {:.1e} (bound "
-                                 "{:.1e}), wall {:.1e} (bound {:.1e})  {}\n",
-                                 point.boundary_name(), point.packing_fraction,
-                                 last.collisions_per_ball, last.energy_drift, last.momentum,
-                                 drift_bound(last.collisions_per_ball), last.deepest_overlap,
-                                 overlap_bound(run.system), last.wall_distance,
-                                 wall_bound(run.system), name_of(run.verdict()));
+        runs.push_back(run_of(points[k], replicates[k].front()));
+        verdicts.push_back(runs.back().verdict());
+        std::cout << line_of(runs.back());
     }
-    Verdict const verdict = together(verdicts);
     experiment.write(csv_of(runs));
-    experiment.write(macros_of(runs, verdict));
-    return verdict;
+    experiment.write(macros_of(runs));
+    return together(verdicts);
 }
 
 } // namespace clack::validation

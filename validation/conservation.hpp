@@ -3,9 +3,8 @@
 
 #include "simulation/epoch.hpp"
 #include "state/errors.hpp"
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/experiment.hpp"
+#include "validation/mutants/engine_maker.hpp"
 
 #include <fmt/format.h>
 

@@ -29,9 +29,8 @@ Csv csv_of(std::vector<PeriodicRun> const& points,
         double const eta = points[k].packing_fraction;
         double const infinite = points[k].expected_of_infinitely_many();
         Estimate const z = mean_of(all[k], by_virial), bonds = mean_of(all[k], order);
-        csv.row({cell(eta), cell(free_part(eta)), cell(points[k].count),
-                 cell(z.value + infinite - points[k].expected()), cell(z.error), cell(infinite),
-                 cell(reference::speedy_crystal(eta)), cell(bonds.value), cell(bonds.error)});
+        csv.row(eta, free_part(eta), points[k].count, z.value + infinite - points[k].expected(),
+                z.error, infinite, reference::speedy_crystal(eta), bonds);
     }
     return csv;
 }
@@ -40,8 +39,8 @@ Csv curves() {
     Csv csv({"packing_fraction", "Z_schultz", "Z_speedy", "Z_free_volume"});
     for (int k = 0; k <= 108; ++k) {
         double const eta = 0.52 + 0.002 * k;
-        csv.row({cell(eta), cell(reference::schultz_crystal(eta)),
-                 cell(reference::speedy_crystal(eta)), cell(3 / free_part(eta))});
+        csv.row(eta, reference::schultz_crystal(eta), reference::speedy_crystal(eta),
+                3 / free_part(eta));
     }
     return csv;
 }

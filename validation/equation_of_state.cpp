@@ -18,9 +18,8 @@ Question const question{
                 "profile {})",
                 percent(margin(Profile::quick)), percent(margin(Profile::full)),
                 percent(contact_margin(Profile::quick)), percent(contact_margin(Profile::full))),
-    "two thirds (one third) of what a diameter wrong by 0.1 % does where it does least; the "
-    "contact "
-    "value is extrapolated",
+    "two thirds (one third) of what a diameter wrong by 0.1 % does where it does least; the contact"
+    " value is extrapolated",
     Processes::one_a_state_point};
 
 namespace {
@@ -30,9 +29,8 @@ constexpr std::size_t kinds = 6; // of comparisons at a point
 /// Measured compressibility factor of infinitely many balls: the theory's difference between these
 /// and N is taken off.
 Estimate infinite(StatePoint const& point, Comparison const& virial) {
-    Estimate estimate = virial.measured;
-    estimate.value += point.expected_of_infinitely_many() - virial.reference;
-    return estimate;
+    double const more = point.expected_of_infinitely_many() - virial.reference;
+    return {virial.measured.value + more, virial.measured.error};
 }
 
 std::string table_of(std::vector<StatePoint> const& points, Ledger const& ledger) {
@@ -58,8 +56,8 @@ Csv curves() {
     Csv csv({"packing_fraction", "Z_theory", "Z_carnahan_starling", "Z_schultz"});
     for (int percent = 0; percent <= 50; ++percent) {
         double const eta = percent / 100.0;
-        csv.row({cell(eta), cell(reference::modified_klm(eta)),
-                 cell(reference::carnahan_starling(eta)), cell(reference::schultz_fluid(eta))});
+        csv.row(eta, reference::modified_klm(eta), reference::carnahan_starling(eta),
+                reference::schultz_fluid(eta));
     }
     return csv;
 }
@@ -68,18 +66,15 @@ Csv infinite_fluid(std::vector<StatePoint> const& points, Ledger const& ledger) 
     Csv csv({"packing_fraction", "Z", "Z_error", "Z_theory", "Z_carnahan_starling"});
     for (std::size_t k = 0; k < points.size(); ++k) {
         double const eta = points[k].packing_fraction;
-        Estimate const z = infinite(points[k], ledger.entries()[kinds * k].comparison);
-        csv.row({cell(eta), cell(z.value), cell(z.error), cell(reference::modified_klm(eta)),
-                 cell(reference::carnahan_starling(eta))});
+        csv.row(eta, infinite(points[k], ledger.entries()[kinds * k].comparison),
+                reference::modified_klm(eta), reference::carnahan_starling(eta));
     }
     return csv;
 }
 
-Macros macros_of(std::vector<StatePoint> const& points, Ledger const& ledger,
-                 Profile const profile) {
-    double collisions = 0, largest = 0; // the latter in margins, which are parts of Zc
-    for (StatePoint const& point : points)
-        collisions += point.replicates * point.production * static_cast<double>(point.count) / 2;
+Macros macros_of(std::vector<StatePoint> const& points, double const collisions,
+                 Ledger const& ledger, Profile const profile) {
+    double largest = 0; // in margins, which are parts of Zc
     for (Entry const& entry : ledger.entries()) {
         Comparison const& c = entry.comparison;
         if (entry.quantity.name == "virial" || entry.quantity.name == "rate")
@@ -103,13 +98,15 @@ Verdict ask(Experiment& experiment) {
     auto const points = state_points(profile);
     auto const replicates = experiment.campaign().replicates(tasks_of(points, measure));
     Ledger ledger({Key{"packing_fraction", "$\\eta$"}});
+    double collisions = 0;
     double squared_ratio = 0; // of errors by blocking to those over replicates
     for (std::size_t k = 0; k < points.size(); ++k) {
         enter(ledger, points[k], replicates[k], profile);
+        collisions += points[k].collisions(replicates[k].size());
         squared_ratio +=
             std::pow(error_by_blocking(replicates[k]) / mean_of(replicates[k], by_virial).error, 2);
     }
-    Macros macros = macros_of(points, ledger, profile);
+    Macros macros = macros_of(points, collisions, ledger, profile);
     macros.define("BlockingRatio",
                   significant(std::sqrt(squared_ratio / static_cast<double>(points.size())), 2));
     Verdict const verdict = conclude(experiment, ledger, std::move(macros));

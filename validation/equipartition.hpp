@@ -1,8 +1,8 @@
 #pragma once
 // How balls between walls share their energy among the directions.
 
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/mutants/engine_maker.hpp"
 
 #include <fmt/format.h>
 

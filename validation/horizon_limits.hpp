@@ -2,7 +2,7 @@
 // How far the engine's floating types last beside the limits of their rounding: what
 // work_precision judges, and what it tells of the distance to the drawn lines.
 
-#include "validation/harness/tables.hpp"
+#include "validation/records/tables.hpp"
 #include "validation/statistics/verdict.hpp"
 #include "validation/work_precision.hpp"
 

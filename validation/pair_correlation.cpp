@@ -38,9 +38,8 @@ Csv distributions(std::vector<StatePoint> const& points, All const& all) {
         reference::VerletWeis const mended(eta, contact_theory(point), end);
         std::size_t value = shells + wave_numbers(point).size();
         for (double const r : distances) {
-            Estimate const g = mean_of(all[p], value++);
-            csv.row({cell(eta), cell(r), cell(g.value), cell(g.error),
-                     cell(mended.radial_distribution(r)), cell(closure.radial_distribution(r))});
+            csv.row(eta, r, mean_of(all[p], value++), mended.radial_distribution(r),
+                    closure.radial_distribution(r));
         }
     }
     return csv;
@@ -56,9 +55,7 @@ Csv waves_of(std::vector<StatePoint> const& points, All const& all) {
         reference::PercusYevick const closure(eta, 1);
         std::size_t value = shells;
         for (double const k : wave_numbers(point)) {
-            Estimate const s = mean_of(all[p], value++);
-            csv.row({cell(eta), cell(k), cell(s.value), cell(s.error),
-                     cell(closure.structure_factor(k)), cell(limit)});
+            csv.row(eta, k, mean_of(all[p], value++), closure.structure_factor(k), limit);
         }
     }
     return csv;

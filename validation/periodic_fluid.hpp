@@ -4,7 +4,7 @@
 #include "reference/crystal.hpp"
 #include "reference/equation_of_state.hpp"
 #include "reference/finite_size.hpp"
-#include "validation/harness/engine_maker.hpp"
+#include "validation/mutants/engine_maker.hpp"
 
 #include <fmt/format.h>
 

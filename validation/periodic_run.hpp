@@ -20,6 +20,10 @@ struct PeriodicRun : PeriodicFluid {
         return fmt::format("{} equilibration={} production={} {}", PeriodicFluid::text(),
                            equilibration, production, is_crystal() ? "fcc" : "random");
     }
+    /// That are counted, in so many replicates.
+    double collisions(std::size_t const measured) const {
+        return static_cast<double>(measured) * production * static_cast<double>(count) / 2;
+    }
 };
 
 /// Looks at the balls, so many times at equal intervals of a run's production, the last at its end.

@@ -3,9 +3,9 @@
 
 #include "reference/kac_walk.hpp"
 #include "reference/velocity_laws.hpp"
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/ledger.hpp"
 #include "validation/lattice_start.hpp"
+#include "validation/mutants/engine_maker.hpp"
 
 #include <fmt/format.h>
 

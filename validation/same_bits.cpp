@@ -1,7 +1,7 @@
 // Do all searches, queues, instructions and compilers move the balls to the same last bit?
 
-#include "validation/harness/experiment.hpp"
 #include "validation/same_bits.hpp"
+#include "validation/harness/experiment.hpp"
 
 #include <fmt/format.h>
 
@@ -85,8 +85,7 @@ Verdict ask(Experiment& experiment) {
     for (Build const& build : all) {
         for (WayHash const& way : build.hashes) {
             hashes[way.scene].insert(way.hash);
-            csv.row(
-                {build.name, way.scene, way.search, way.queue, fmt::format("{:016x}", way.hash)});
+            csv.row(build.name, way.scene, way.search, way.queue, fmt::format("{:016x}", way.hash));
             ++runs;
         }
     }
@@ -108,7 +107,6 @@ Verdict ask(Experiment& experiment) {
     Macros macros("SameBits");
     macros.define("Builds", cell(all.size()));
     macros.define("Runs", cell(runs));
-    macros.define("Verdict", name_of(verdict));
     std::string names;
     for (Build const& build : all) names += (names.empty() ? "" : "; ") + build.name;
     macros.define("BuildNames", names);

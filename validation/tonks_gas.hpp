@@ -3,9 +3,9 @@
 
 #include "reference/ghost_chain.hpp"
 #include "reference/triangle_wave.hpp"
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/ledger.hpp"
 #include "validation/lattice_start.hpp"
+#include "validation/mutants/engine_maker.hpp"
 #include "validation/statistics/estimate.hpp"
 
 #include <fmt/format.h>

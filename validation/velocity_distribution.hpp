@@ -2,8 +2,8 @@
 // How fast the balls are: state points, one measurement, and what it should give.
 
 #include "reference/velocity_laws.hpp"
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/mutants/engine_maker.hpp"
 #include "validation/statistics/estimate.hpp"
 #include "validation/statistics/goodness_of_fit.hpp"
 #include "validation/statistics/verdict.hpp"

@@ -50,4 +50,18 @@ inline Measurement measure(Relaxation const& relaxation, std::uint64_t const see
 /// v_1^4 + v_2^4 when the direction of g is drawn anew.
 constexpr double first_rise = 8.0 / 35;
 
+/// <v^4> / <v^2>^2 against collisions per ball, over many starts.
+inline Csv course_of(Relaxation const& relaxation, std::vector<Measurement> const& replicates) {
+    Csv csv({"collisions_per_ball", "fourth_moment", "fourth_moment_error", "first_rise",
+             "fourth_moment_theory"});
+    double const end =
+        law_of({relaxation.count, relaxation.packing_fraction, 0, 0, 0, 0}).fourth_moment_ratio();
+    csv.row(0, Estimate{1, 0}, 1, end);
+    for (std::size_t look = 0; look < relaxation_looks().size(); ++look) {
+        double const collisions = mean_of(replicates, 2 * look).value;
+        csv.row(collisions, mean_of(replicates, 2 * look + 1), 1 + first_rise * collisions, end);
+    }
+    return csv;
+}
+
 } // namespace clack::validation::velocity_distribution

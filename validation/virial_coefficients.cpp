@@ -57,8 +57,8 @@ Verdict ask(Experiment& experiment) {
     auto const points = runs(experiment.profile());
     auto const all = experiment.campaign().replicates(tasks_of(points, measure));
     double collisions = 0;
-    for (PeriodicRun const& run : points)
-        collisions += run.replicates * run.production * static_cast<double>(run.count) / 2;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        collisions += points[k].collisions(all[k].size());
     Ledger ledger({Key{"order", "order"}});
     enter(ledger, points, all, experiment.profile());
     experiment.write(points_of(points, all), "_points");

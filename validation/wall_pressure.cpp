@@ -58,10 +58,8 @@ Csv csv_of(std::vector<Row> const& rows) {
              "bulk_density_per_diameter3", "bulk_density_error", "bulk_density_theory"});
     for (auto const& [point, pressure, density, theory, values] : rows) {
         double const faces = theory.bulk + theory.faces + theory.canonical;
-        csv.row({cell(point.count), cell(point.side), cell(point.overall_density()),
-                 cell(pressure.value), cell(pressure.error), cell(naive(point)), cell(theory.bulk),
-                 cell(faces), cell(theory.total()), cell(density.value), cell(density.error),
-                 cell(theory.bulk_density)});
+        csv.row(point.count, point.side, point.overall_density(), pressure, naive(point),
+                theory.bulk, faces, theory.total(), density, theory.bulk_density);
     }
     return csv;
 }
@@ -75,13 +73,12 @@ Csv profiles(std::vector<Row> const& rows) {
                 .distances();
         double const contact = reference::modified_klm_pressure(row.bulk_density.value).value;
         for (std::size_t k = 0; k < distances.size(); ++k)
-            csv.row(
-                {cell(row.point.count), cell(distances[k]), cell(row.profile[k]), cell(contact)});
+            csv.row(row.point.count, distances[k], row.profile[k], contact);
     }
     return csv;
 }
 
-Macros macros_of(std::vector<Row> const& rows, Margins const& allowed) {
+Macros macros_of(std::vector<Row> const& rows) {
     double least = 1, most = 0;
     for (Row const& row : rows) {
         double const short_of = 1 - naive(row.point) / row.pressure.value;
@@ -91,8 +88,6 @@ Macros macros_of(std::vector<Row> const& rows, Margins const& allowed) {
     Macros macros("WallPressure");
     macros.define("NaiveLeastPercent", significant(100 * least, 2));
     macros.define("NaiveMostPercent", significant(100 * most, 2));
-    macros.define("MarginPercent", significant(100 * allowed.many, 1));
-    macros.define("ExtrapolatedMarginPercent", significant(100 * allowed.extrapolated, 1));
     return macros;
 }
 
@@ -110,7 +105,7 @@ Verdict ask(Experiment& experiment) {
     }
     experiment.write(csv_of(rows), "_cubes");
     experiment.write(profiles(rows), "_profile");
-    return conclude(experiment, ledger, macros_of(rows, allowed));
+    return conclude(experiment, ledger, macros_of(rows));
 }
 
 } // namespace clack::validation

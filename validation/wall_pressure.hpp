@@ -8,8 +8,8 @@
 #include "reference/finite_size.hpp"
 #include "reference/two_balls.hpp"
 #include "reference/walled_fluid.hpp"
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/mutants/engine_maker.hpp"
 
 #include <fmt/format.h>
 

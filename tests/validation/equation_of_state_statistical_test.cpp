@@ -3,8 +3,8 @@
 #include "validation/equation_of_state.hpp"
 
 #include "state/errors.hpp"
-#include "validation/harness/campaign.hpp"
 #include "validation/mutants/mutants.hpp"
+#include "validation/records/campaign.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -9,7 +9,7 @@
 #include "validation/velocity_autocorrelation.hpp"
 
 #include "tests/validation/mutants.hpp"
-#include "validation/harness/campaign.hpp"
+#include "validation/records/campaign.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,8 +4,8 @@
 #include "validation/velocity_relaxation.hpp"
 
 #include "tests/validation/harness/temporary_directory.hpp"
-#include "validation/harness/campaign.hpp"
 #include "validation/mutants/mutants.hpp"
+#include "validation/records/campaign.hpp"
 #include "validation/tools/regression.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -2,8 +2,8 @@
 // What all experiments have in common: a question goes in, a verdict comes out, results are left
 // behind.
 
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/tables.hpp"
+#include "validation/records/campaign.hpp"
+#include "validation/records/tables.hpp"
 #include "validation/statistics/verdict.hpp"
 
 #include <filesystem>

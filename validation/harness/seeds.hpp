@@ -1,3 +1,3 @@
 #pragma once
 // Stands elsewhere now.
-#include "validation/harness/campaign.hpp"
+#include "validation/records/campaign.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // Engines with one rule exchanged, compiled once for the experiment `power` and the tests.
 
-#include "validation/harness/engine_maker.hpp"
+#include "validation/mutants/engine_maker.hpp"
 
 namespace clack::validation {
 

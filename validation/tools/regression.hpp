@@ -2,8 +2,8 @@
 // Has a change of the code shifted anything that the experiments measure?
 
 #include "state/errors.hpp"
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/tables.hpp"
+#include "validation/records/campaign.hpp"
+#include "validation/records/tables.hpp"
 #include "validation/statistics/verdict.hpp"
 
 #include <boost/algorithm/string.hpp>

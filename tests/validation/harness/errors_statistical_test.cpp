@@ -2,8 +2,8 @@
 // with a probability of 2e-4 for another seed.
 
 #include "observables/blocking.hpp"
-#include "validation/harness/campaign.hpp"
 #include "validation/periodic_run.hpp"
+#include "validation/records/campaign.hpp"
 #include "validation/tools/regression.hpp"
 
 #include <gsl/gsl_cdf.h>

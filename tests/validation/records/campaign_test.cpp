@@ -1,5 +1,5 @@
 #include "state/errors.hpp"
-#include "validation/harness/campaign.hpp"
+#include "validation/records/campaign.hpp"
 
 #include "tests/validation/harness/temporary_directory.hpp"
 

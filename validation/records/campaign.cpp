@@ -1,7 +1,7 @@
-#include "validation/harness/campaign.hpp"
+#include "validation/records/campaign.hpp"
 
 #include "state/errors.hpp"
-#include "validation/harness/tables.hpp"
+#include "validation/records/tables.hpp"
 
 #include <boost/algorithm/string.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>

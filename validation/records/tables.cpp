@@ -1,4 +1,4 @@
-#include "validation/harness/tables.hpp"
+#include "validation/records/tables.hpp"
 
 #include "state/errors.hpp"
 
