@@ -9,9 +9,6 @@ namespace clack::view {
 
 namespace {
 
-constexpr Colour blue{0, 114, 178}, orange{230, 159, 0}; // Okabe and Ito's
-constexpr Colour pair_colour{214, 39, 140};
-
 Eigen::Vector3f in_sides(Eigen::Vector3d const& place, System const& system) {
     return (place / system.side).cast<float>();
 }
@@ -31,7 +28,7 @@ Colour colour_of(Frame const& frame, Colouring colouring, double top, Eigen::Ind
         if (frame.collisions.empty()) return {150, 150, 150};
         return scale_colour(frame.collisions[static_cast<std::size_t>(ball)] / top);
     default:
-        return (*frame.start_places)(0, ball) < frame.system.side / 2 ? blue : orange;
+        return (*frame.start_places)(0, ball) < frame.system.side / 2 ? left_colour : right_colour;
     }
 }
 
@@ -117,7 +114,7 @@ void add_marks(Picture& picture, Frame const& frame, Look const& look) {
              look.background == Background::light ? Colour{0, 0, 0} : Colour{255, 255, 255});
         if (frame.next_of_traced) {
             auto const& next = *frame.next_of_traced;
-            ring(next.first == frame.traced ? next.second : next.first, {86, 180, 233});
+            ring(next.first == frame.traced ? next.second : next.first, partner_colour);
         }
     }
 }
@@ -125,15 +122,16 @@ void add_marks(Picture& picture, Frame const& frame, Look const& look) {
 } // namespace
 
 Colour scale_colour(double share) {
-    // Viridis (S. van der Walt, N. Smith, 2015) at eighths, without its last, yellow end.
-    constexpr std::array<std::array<double, 3>, 8> table{{{68, 1, 84},
-                                                          {72, 38, 119},
-                                                          {63, 72, 137},
-                                                          {49, 104, 142},
-                                                          {38, 130, 142},
+    // Viridis (S. van der Walt, N. Smith, 2015) from a quarter on: what is darker, balls at rest
+    // as a rule, would not be seen before the window's background.
+    constexpr std::array<std::array<double, 3>, 8> table{{{59, 82, 139},
+                                                          {47, 108, 142},
+                                                          {37, 132, 142},
                                                           {31, 158, 137},
-                                                          {74, 193, 109},
-                                                          {180, 222, 44}}};
+                                                          {53, 183, 121},
+                                                          {110, 206, 88},
+                                                          {181, 222, 43},
+                                                          {253, 231, 37}}};
     double const at = std::clamp(share, 0.0, 1.0) * static_cast<double>(table.size() - 1);
     auto const below = std::min(static_cast<std::size_t>(at), table.size() - 2);
     double const part = at - static_cast<double>(below);

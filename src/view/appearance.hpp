@@ -22,7 +22,11 @@ struct Look {
 
 Picture picture_of(Frame const& frame, Look const& look);
 
-/// Colours of a scale from 0 to 1: dark blue to light green, lightness rising evenly.
+/// Of the sides of the start, Okabe and Ito's; of rings, around the next pair and the next partner.
+constexpr Colour left_colour{0, 114, 178}, right_colour{230, 159, 0}, pair_colour{230, 80, 160},
+    partner_colour{86, 180, 233};
+
+/// Colours of a scale from 0 to 1: blue to yellow, lightness rising evenly.
 Colour scale_colour(double share);
 /// The value that has the scale's last colour, for the legend.
 double scale_top(Frame const& frame, Colouring colouring);

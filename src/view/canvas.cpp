@@ -32,8 +32,7 @@ private:
 
 } // namespace
 
-Canvas::Canvas(PixelSize in_pixels, int finer)
-    : size{in_pixels.width * finer, in_pixels.height * finer}, samples(finer) {
+Canvas::Canvas(PixelSize in_samples) : size(in_samples) {
     GLuint names[2] = {0, 0}, framebuffer = 0;
     glGenRenderbuffers(2, names);
     colour = gl::Renderbuffer(names[0]);

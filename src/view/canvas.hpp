@@ -9,13 +9,12 @@
 
 namespace clack::view {
 
-/// A framebuffer whose pixels are squares of samples x samples.
+/// A framebuffer of so many samples.
 struct Canvas {
     /// Throws InputError when OpenGL has no such size.
-    Canvas(PixelSize in_pixels, int finer);
+    explicit Canvas(PixelSize in_samples);
 
     PixelSize size; // in samples
-    int samples;
     gl::Renderbuffer colour, depth;
     gl::Framebuffer frame;
 };

@@ -1,5 +1,6 @@
 #include "view/canvases.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace clack::view {
@@ -23,9 +24,16 @@ Prepared little_of_everything() {
 
 } // namespace
 
-void Canvases::warm_up(PixelSize window, std::initializer_list<int> samples) {
-    for (int const finer : samples) {
-        begin(little_of_everything(), window, finer);
+PixelSize finer(PixelSize window, float fineness) {
+    auto const times = [&](int pixels) {
+        return std::max(static_cast<int>(fineness * static_cast<float>(pixels)), 1);
+    };
+    return {times(window.width), times(window.height)};
+}
+
+void Canvases::warm_up(PixelSize window) {
+    for (float const fineness : {coarsest, 1.f, finest}) {
+        begin(little_of_everything(), window, fineness);
         while (!go_on(std::chrono::hours(1))) {
         }
         show(window);
@@ -33,14 +41,13 @@ void Canvases::warm_up(PixelSize window, std::initializer_list<int> samples) {
     shown_.reset();
 }
 
-void Canvases::begin(Prepared prepared, PixelSize size, int samples) {
+void Canvases::begin(Prepared prepared, PixelSize window, float fineness) {
     auto const start = std::chrono::steady_clock::now();
-    bool const fits = next_ && next_->samples == samples &&
-                      next_->size.width == size.width * samples &&
-                      next_->size.height == size.height * samples;
-    if (!fits) next_ = std::make_unique<Canvas>(size, samples);
+    auto const size = finer(window, fineness);
+    if (!next_ || !(next_->size == size)) next_ = std::make_unique<Canvas>(size);
+    next_fineness_ = fineness;
     glBindFramebuffer(GL_FRAMEBUFFER, next_->frame.name());
-    drawing_.begin(std::move(prepared), next_->size, static_cast<float>(samples));
+    drawing_.begin(std::move(prepared), size, fineness);
     glFinish(); // or the clearing would be done, and its time spent, with the first balls
     is_drawing_ = true;
     seconds_ = seconds_since(start);
@@ -57,6 +64,7 @@ bool Canvases::go_on(std::chrono::duration<double> budget) {
     seconds_of_last_ = seconds_;
     balls_drawn_ = drawing_.drawn_ball_count();
     std::swap(shown_, next_);
+    shown_fineness_ = next_fineness_;
     return true;
 }
 

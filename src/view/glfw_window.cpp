@@ -10,6 +10,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -68,6 +69,7 @@ GlfwWindow& GlfwWindow::of(GLFWwindow* window) {
 }
 
 void GlfwWindow::key_callback(GLFWwindow* window, int key, int, int action, int) {
+    of(window).panels_due_ = panels_to_settle;
     if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
     if (key != GLFW_KEY_SLASH) of(window).hands_.on_key(key);
 }
@@ -79,6 +81,7 @@ void GlfwWindow::letter_callback(GLFWwindow* window, unsigned letter) {
 
 void GlfwWindow::button_callback(GLFWwindow* window, int button, int action, int) {
     auto& self = of(window);
+    self.panels_due_ = panels_to_settle;
     if (action == GLFW_PRESS) {
         if (ImGui::GetIO().WantCaptureMouse) return;
         self.pressed_ = button;
@@ -93,6 +96,7 @@ void GlfwWindow::button_callback(GLFWwindow* window, int button, int action, int
 
 void GlfwWindow::move_callback(GLFWwindow* window, double x, double y) {
     auto& self = of(window);
+    self.panels_due_ = panels_to_settle;
     double const right = x - self.x_, down = y - self.y_;
     self.x_ = x;
     self.y_ = y;
@@ -103,6 +107,7 @@ void GlfwWindow::move_callback(GLFWwindow* window, double x, double y) {
 }
 
 void GlfwWindow::scroll_callback(GLFWwindow* window, double, double notches) {
+    of(window).panels_due_ = panels_to_settle;
     if (!ImGui::GetIO().WantCaptureMouse) of(window).hands_.on_scroll(static_cast<float>(notches));
 }
 
@@ -131,6 +136,7 @@ void GlfwWindow::begin_panel() {
 }
 
 void GlfwWindow::end_panel() {
+    panels_due_ = std::max(panels_due_ - 1, 0);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -33,11 +33,16 @@ public:
     bool is_closing() const;
     PixelSize size() const;
     void wait_for_events(double seconds);
+    /// Whether mouse or keys have done anything that the panel may not show yet.
+    bool was_touched() const { return panels_due_ > 0; }
     void begin_panel();
     void end_panel();
     void swap();
 
 private:
+    static constexpr int panels_to_settle =
+        3; // what opens is measured in one and drawn in the next
+
     static GlfwWindow& of(GLFWwindow* window);
     static void key_callback(GLFWwindow* window, int key, int, int action, int);
     static void letter_callback(GLFWwindow* window, unsigned letter);
@@ -47,6 +52,7 @@ private:
 
     GLFWwindow* window_ = nullptr;
     Hands& hands_;
+    int panels_due_ = panels_to_settle;
     int pressed_ = -1; // the button that is held down
     double x_ = 0, y_ = 0, moved_ = 0;
 };

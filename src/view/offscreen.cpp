@@ -50,7 +50,7 @@ private:
 };
 
 struct Offscreen::Target {
-    Target(PixelSize size, int samples) : canvas(size, samples) {}
+    explicit Target(PixelSize in_samples) : canvas(in_samples) {}
     Canvas canvas;
     Drawing drawing;
     BallOrder order;
@@ -58,7 +58,7 @@ struct Offscreen::Target {
 
 Offscreen::Offscreen(PixelSize size, int samples)
     : size_(size), samples_(samples), context_(std::make_unique<Context>()),
-      target_(std::make_unique<Target>(size, samples)) {}
+      target_(std::make_unique<Target>(PixelSize{size.width * samples, size.height * samples})) {}
 
 Offscreen::~Offscreen() = default;
 

@@ -8,23 +8,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace clack::view {
 
 namespace {
 
+ImVec4 const warning_colour(1, 0.65f, 0.2f, 1);
+
+/// Writes at the right end of the line.
+void at_right(std::string const& words, ImVec4 const& colour) {
+    ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
+                    ImGui::CalcTextSize(words.c_str()).x);
+    text(words, colour);
+}
+
 void draw_clock(Session& session) {
     Shown const& shown = *session.shown;
+    ImGui::TextWrapped("%s", session.title.c_str());
     text(fmt::format("time {:.6g}", shown.frame.snapshot.time));
+    auto const plain = ImGui::GetStyle().Colors[ImGuiCol_Text];
     if (shown.equilibration < 1) {
-        text(fmt::format("equilibrating: {:.0f} %", 100 * shown.equilibration));
+        at_right(fmt::format("equilibrating: {:.0f} %", 100 * shown.equilibration), warning_colour);
     } else if (shown.playing == Playing::no) {
-        text(fmt::format("paused; speed {:.3g}", shown.speed));
+        at_right("paused", plain);
     } else {
         bool const slow = shown.rates.speed < 0.9 * shown.speed;
-        ImGui::TextColored(slow ? ImVec4(1, 0.65f, 0.2f, 1)
-                                : ImGui::GetStyle().Colors[ImGuiCol_Text],
-                           "speed %.3g, in truth %.3g", shown.speed, shown.rates.speed);
+        at_right(fmt::format("in truth {:.3g} a second", shown.rates.speed),
+                 slow ? warning_colour : plain);
     }
 }
 
@@ -38,7 +49,7 @@ void draw_playback(Session& session) {
     if (ImGui::Button("collision >")) session.player.step();
     auto exponent = static_cast<float>(std::log10(shown.speed));
     ImGui::SetNextItemWidth(-70);
-    auto const label = fmt::format("{:.3g} x", shown.speed);
+    auto const label = fmt::format("{:.3g} a second", shown.speed);
     if (ImGui::SliderFloat("speed", &exponent, -3, 3, label.c_str()))
         session.player.set_speed(std::pow(10.0, static_cast<double>(exponent)));
     if (std::isfinite(shown.last_time)) {
@@ -56,9 +67,25 @@ void draw_playback(Session& session) {
     }
 }
 
+constexpr std::array<char const*, 4> colouring_names{"speed", "kinetic energy",
+                                                     "number of collisions", "side at the start"};
+
+char const* colouring_name(Colouring colouring) {
+    return colouring_names[static_cast<std::size_t>(colouring)];
+}
+
 void draw_legend(Session const& session) {
     if (session.look.colouring == Colouring::side) {
-        text("blue and orange: left and right at the start");
+        constexpr float line_height = 13; // [pixels]
+        for (auto const& [name, colour] :
+             {std::pair("left", left_colour), std::pair("right at the start", right_colour)}) {
+            ImGui::ColorButton(name, on_screen(colour), ImGuiColorEditFlags_NoTooltip,
+                               {line_height, line_height});
+            ImGui::SameLine();
+            text(name);
+            ImGui::SameLine();
+        }
+        ImGui::NewLine();
         return;
     }
     ImVec2 const origin = ImGui::GetCursorScreenPos();
@@ -72,7 +99,8 @@ void draw_legend(Session const& session) {
                                                   IM_COL32(colour[0], colour[1], colour[2], 255));
     }
     ImGui::Dummy({width, 8});
-    scale_ends(fmt::format("{:.3g}", scale_top(session.shown->frame, session.look.colouring)));
+    scale_ends(colouring_name(session.look.colouring),
+               scale_top(session.shown->frame, session.look.colouring));
 }
 
 void checkbox(char const* label, Visible& what) {
@@ -94,26 +122,29 @@ void draw_cut(Cut& cut) {
         cut.from = static_cast<Face>(from);
 }
 
+/// In the colour of the rings around the two.
+void draw_next(Frame const& frame) {
+    auto const& next = frame.next;
+    if (!next) return;
+    auto const other = next->second >= 0 ? std::to_string(next->second) : std::string("a wall");
+    text(fmt::format("next: {} and {} at {:.8g}", next->first, other, next->time),
+         on_screen(pair_colour));
+}
+
 void draw_look(Session& session) {
-    constexpr std::array<char const*, 4> names{"speed", "kinetic energy", "number of collisions",
-                                               "side at the start"};
     auto colouring = static_cast<int>(session.look.colouring);
     ImGui::SetNextItemWidth(-70);
-    if (ImGui::Combo("colour", &colouring, names.data(), static_cast<int>(names.size())))
+    if (ImGui::Combo("colour", &colouring, colouring_names.data(),
+                     static_cast<int>(colouring_names.size())))
         session.look.colouring = static_cast<Colouring>(colouring);
     draw_legend(session);
-    checkbox("flashes", session.look.flashes);
+    checkbox("flash when hit", session.look.flashes);
     ImGui::SameLine();
     checkbox("next pair", session.look.next_pair);
     ImGui::SameLine();
     checkbox("cube", session.look.cube);
     draw_cut(session.look.cut);
-    if (auto const& next = session.shown->frame.next;
-        next && session.look.next_pair == Visible::yes) {
-        text(next->second >= 0
-                 ? fmt::format("next: {} and {} at {:.8g}", next->first, next->second, next->time)
-                 : fmt::format("next: {} and a wall at {:.8g}", next->first, next->time));
-    }
+    if (session.look.next_pair == Visible::yes) draw_next(session.shown->frame);
 }
 
 void draw_ball(Session& session) {
@@ -123,32 +154,35 @@ void draw_ball(Session& session) {
         return;
     }
     auto const ball = static_cast<Eigen::Index>(frame.traced);
-    text(fmt::format("ball {}: speed {:.6g}", frame.traced,
-                     frame.snapshot.velocities.col(ball).norm()));
-    text(fmt::format("{} collisions", frame.collisions[static_cast<std::size_t>(frame.traced)]));
-    if (auto const& next = frame.next_of_traced) {
-        auto const other = next->first == frame.traced ? next->second : next->first;
-        text(other < 0
-                 ? fmt::format("next a wall, in {:.4g}", next->time - frame.snapshot.time)
-                 : fmt::format("next ball {}, in {:.4g}", other, next->time - frame.snapshot.time));
-    }
+    text(fmt::format("ball {}: speed {:.6g}, {} collisions", frame.traced,
+                     frame.snapshot.velocities.col(ball).norm(),
+                     frame.collisions.empty() ? 0
+                                              : frame.collisions[static_cast<std::size_t>(ball)]));
     if (ImGui::Button("let go")) session.player.trace(-1);
+    auto const& next = frame.next_of_traced;
+    if (!next) return;
+    auto const other = next->first == frame.traced ? next->second : next->first;
+    ImGui::SameLine();
+    double const wait = next->time - frame.snapshot.time;
+    if (other < 0)
+        text(fmt::format("next a wall, in {:.4g}", wait));
+    else
+        text(fmt::format("next ball {}, in {:.4g}", other, wait), on_screen(partner_colour));
 }
 
-void draw_scene(Session& session) {
-    System const& system = session.shown->frame.system;
-    text(fmt::format("{} balls, packing fraction {:.4g}", system.count, system.packing_fraction()));
-    ImGui::TextWrapped("%s", session.shown->description.c_str());
-    if (session.options.form != Form::scene) return;
+void draw_choice(Session& session) {
     auto& choice = session.choice;
-    ImGui::SetNextItemWidth(-130);
+    constexpr float width = 72, second_column = 150; // [pixels]
+    ImGui::SetNextItemWidth(width);
     ImGui::InputInt("balls", &choice.count, 0);
-    ImGui::SetNextItemWidth(-130);
-    ImGui::InputFloat("packing fraction", &choice.packing_fraction, 0, 0, "%.4f");
-    ImGui::SetNextItemWidth(-130);
-    ImGui::InputInt("seed", &choice.seed, 1);
+    ImGui::SameLine(second_column);
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputFloat("packing", &choice.packing_fraction, 0, 0, "%.4f");
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputInt("seed", &choice.seed, 0);
     constexpr std::array<char const*, 4> methods{"auto", "table", "heap", "fast"};
-    ImGui::SetNextItemWidth(-130);
+    ImGui::SameLine(second_column);
+    ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("method", choice.method.c_str())) {
         for (char const* const method : methods) {
             if (ImGui::Selectable(method, choice.method == method)) choice.method = method;
@@ -158,6 +192,17 @@ void draw_scene(Session& session) {
     if (ImGui::Button("start again")) session.restart();
     ImGui::SameLine();
     if (ImGui::Button("with another seed")) session.restart_with_another_seed();
+}
+
+void draw_scene(Session& session) {
+    System const& system = session.shown->frame.system;
+    ImGui::TextWrapped("%s", session.shown->description.c_str());
+    if (session.options.form == Form::scene) {
+        draw_choice(session);
+    } else {
+        text(fmt::format("{} balls, packing fraction {:.4g}", system.count,
+                         system.packing_fraction()));
+    }
 }
 
 void draw_help(Session& session) {
@@ -187,14 +232,20 @@ void draw_panel(Session& session, DrawingReport const& report) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
     draw_playback(session);
+    float& chart_height = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("charts"), 90);
     constexpr auto open = ImGuiTreeNodeFlags_DefaultOpen;
-    if (ImGui::CollapsingHeader("physics", open)) draw_physics(*session.shown);
+    if (ImGui::CollapsingHeader("physics", open)) draw_physics(*session.shown, chart_height);
     if (ImGui::CollapsingHeader("picture", open)) draw_look(session);
     if (ImGui::CollapsingHeader("ball", open)) draw_ball(session);
     if (ImGui::CollapsingHeader("scene", open)) draw_scene(session);
     ImGui::Separator();
     text(fmt::format("{} balls drawn in {:.0f} ms; ? for the keys", report.balls_drawn,
                      1000 * report.seconds));
+    // The two charts share what room is left, next time.
+    float const spare =
+        size.y - ImGui::GetStyle().WindowPadding.y - ImGui::GetCursorPosY() - ImGui::GetScrollY();
+    constexpr float lowest = 34, highest = 120;
+    chart_height = std::clamp(std::floor(chart_height + spare / 2), lowest, highest);
     ImGui::End();
 }
 

@@ -16,13 +16,14 @@ struct DrawingReport {
 /// Draws the panel, and the list of keys when it is asked for, with Dear ImGui.
 void draw_panel(Session& session, DrawingReport const& report);
 
-/// The ends of a scale, 0 at the left.
-void scale_ends(std::string const& top);
+/// Below a scale: 0 at its left end, its name and the value at its right end.
+void scale_ends(std::string const& name, double top);
 
 /// Z over time and now, with theory.
-void draw_pressure(Physics const& physics, Boundary boundary);
+///   chart_height  [pixels]
+void draw_pressure(Physics const& physics, Boundary boundary, float chart_height);
 
-/// Measured speeds, with the laws that they follow.
-void draw_physics(Shown const& shown);
+/// Measured speeds, with the laws that they follow; Z; what the engine keeps.
+void draw_physics(Shown const& shown, float chart_height);
 
 } // namespace clack::view

@@ -28,12 +28,13 @@ void curve(std::vector<float> const& values, float top, ImVec2 origin, ImVec2 si
                                             0, width);
 }
 
-void draw_histogram(SpeedHistogram const& speeds) {
+void draw_histogram(SpeedHistogram const& speeds, float chart_height) {
     if (speeds.maxwell.empty()) {
         text("no ball moves");
         return;
     }
-    ImVec2 const size(ImGui::GetContentRegionAvail().x, 90), origin = ImGui::GetCursorScreenPos();
+    ImVec2 const size(ImGui::GetContentRegionAvail().x, chart_height),
+        origin = ImGui::GetCursorScreenPos();
     auto* const list = ImGui::GetWindowDrawList();
     auto const highest = *std::max_element(speeds.maxwell.begin(), speeds.maxwell.end());
     float const top = 1.6f * highest;
@@ -49,47 +50,49 @@ void draw_histogram(SpeedHistogram const& speeds) {
     list->AddLine({origin.x, origin.y + size.y}, {origin.x + size.x, origin.y + size.y},
                   axis_colour);
     ImGui::Dummy(size);
-    scale_ends(fmt::format("speed {:.3g}", speeds.top));
-    ImGui::TextColored({1, 1, 1, 1}, "exact");
+    scale_ends("speed", speeds.top);
+    ImGui::TextColored({1, 1, 1, 1}, "exact law");
     ImGui::SameLine();
     ImGui::TextColored({0.9f, 0.62f, 0, 1}, "Maxwell-Boltzmann");
     ImGui::SameLine();
-    ImGui::TextColored({0.34f, 0.71f, 0.91f, 1}, "now");
+    ImGui::TextColored({0.34f, 0.71f, 0.91f, 1}, "balls now");
 }
 
 } // namespace
 
-void scale_ends(std::string const& top) {
-    ImGui::TextUnformatted("0");
-    ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
-                    ImGui::CalcTextSize(top.c_str()).x);
-    ImGui::TextUnformatted(top.c_str());
+void scale_ends(std::string const& name, double top) {
+    float const left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+    auto const write = [&](std::string const& words, float share) {
+        ImGui::SameLine(left + share * (width - ImGui::CalcTextSize(words.c_str()).x));
+        text(words);
+    };
+    text("0");
+    write(name, 0.5f);
+    write(fmt::format("{:.3g}", top), 1);
 }
 
-void draw_physics(Shown const& shown) {
+void draw_physics(Shown const& shown, float chart_height) {
     Physics const& physics = shown.physics;
-    draw_histogram(physics.speeds);
+    draw_histogram(physics.speeds, chart_height);
     if (physics.speed_test) {
-        text(fmt::format("chi-square {:.1f} of {} d.o.f., p = {:.2f}",
+        text(fmt::format("chi-square {:.1f} of {} d.o.f., p = {:.2g}",
                          physics.speed_test->chi_square, physics.speed_test->degrees_of_freedom,
                          physics.speed_test->p_value));
     } else {
         text("chi-square: too few balls");
     }
     ImGui::Separator();
-    draw_pressure(physics, shown.frame.system.boundary);
+    draw_pressure(physics, shown.frame.system.boundary, chart_height);
     ImGui::Separator();
     auto const& tallies = shown.frame.sample.tallies;
-    text(fmt::format("kT {:.6g}", physics.temperature));
-    text(fmt::format("energy drift {:.1e} of itself", physics.energy_drift));
-    text(fmt::format("deepest overlap {:.1e} diameters", tallies.deepest_overlap));
+    text(fmt::format("kT {:.6g}, energy drift {:.2g}", physics.temperature, physics.energy_drift));
+    text(fmt::format("deepest overlap {:.2g} diameters", tallies.deepest_overlap));
     text(fmt::format("collisions {} + {} with walls", tallies.ball_collisions,
                      tallies.wall_collisions));
-    bool const runs = shown.playing == Playing::yes;
-    text(runs ? fmt::format("{:.3g} collisions a second", shown.rates.collisions_per_second)
-              : "no collisions: paused");
-    text(runs ? fmt::format("engine: {:.1f} % of the time", 100 * shown.rates.engine_share)
-              : "engine: at rest");
+    text(shown.playing == Playing::yes
+             ? fmt::format("{:.3g} a second, engine {:.1f} % of the time",
+                           shown.rates.collisions_per_second, 100 * shown.rates.engine_share)
+             : "engine at rest");
 }
 
 } // namespace clack::view

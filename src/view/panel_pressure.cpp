@@ -23,15 +23,13 @@ ImU32 faint(ImVec4 colour) {
 }
 
 std::string with_error(std::optional<Estimate> const& estimate) {
-    if (!estimate) return "-";
+    if (!estimate) return "no collision yet";
     if (!estimate->error) return fmt::format("{:.4g} (+- after longer)", estimate->value);
     return fmt::format("{:.5g} +- {:.2g}", estimate->value, *estimate->error);
 }
 
 void line_of(std::string const& label, std::optional<Estimate> const& estimate, ImVec4 colour) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    text(label + with_error(estimate));
-    ImGui::PopStyleColor();
+    text(label + with_error(estimate), colour);
 }
 
 /// The part of the window that the chart has, and what it spans.
@@ -94,15 +92,15 @@ void draw_axes(Chart const& chart) {
     write(fmt::format("{:.4g}", chart.range.low), corner.y - half_line);
     ImGui::Dummy({chart.size.x, chart.size.y});
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + label_width);
-    scale_ends(fmt::format("time {:.4g}", chart.end));
+    scale_ends("time", chart.end);
 }
 
-void draw_chart(Physics const& physics) {
+void draw_chart(Physics const& physics, float height) {
     auto const& course = physics.course;
     if (course.size() < 2) return;
     ImVec2 const origin = ImGui::GetCursorScreenPos();
     Chart const chart{{origin.x + label_width, origin.y},
-                      {ImGui::GetContentRegionAvail().x - label_width, 84},
+                      {ImGui::GetContentRegionAvail().x - label_width, height},
                       course.back().time,
                       range_of(physics)};
     auto* const list = ImGui::GetWindowDrawList();
@@ -121,8 +119,8 @@ void draw_chart(Physics const& physics) {
 
 } // namespace
 
-void draw_pressure(Physics const& physics, Boundary boundary) {
-    draw_chart(physics);
+void draw_pressure(Physics const& physics, Boundary boundary, float chart_height) {
+    draw_chart(physics, chart_height);
     auto const& factor = physics.compressibility_factor;
     line_of("Z by virial  ", factor.virial, virial_colour);
     if (boundary == Boundary::walls) line_of("Z by walls   ", factor.wall, wall_colour);

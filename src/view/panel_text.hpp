@@ -1,6 +1,8 @@
 #pragma once
 // One line of the panel.
 
+#include "view/picture.hpp"
+
 #include <imgui.h>
 
 #include <string>
@@ -8,5 +10,15 @@
 namespace clack::view {
 
 inline void text(std::string const& line) { ImGui::TextUnformatted(line.c_str()); }
+
+inline void text(std::string const& line, ImVec4 const& colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    text(line);
+    ImGui::PopStyleColor();
+}
+
+inline ImVec4 on_screen(Colour const& colour) {
+    return ImGui::ColorConvertU32ToFloat4(IM_COL32(colour[0], colour[1], colour[2], 255));
+}
 
 } // namespace clack::view

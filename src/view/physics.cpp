@@ -77,6 +77,15 @@ SpeedHistogram histogram_of(Frame const& frame, std::vector<double> const& speed
     return histogram;
 }
 
+/// Where nothing has collided there is nothing to tell.
+CompressibilityFactor factor_of(System const& system, double kt,
+                                std::vector<Sample> const& samples) {
+    auto factor = compressibility_factor(system, kt, samples);
+    if (samples.empty() || samples.back().tallies.virial == 0) factor.virial.reset();
+    if (samples.empty() || samples.back().tallies.wall_impulse == 0) factor.wall.reset();
+    return factor;
+}
+
 /// At times that lie evenly, as the samples do.
 std::vector<PressurePoint> course_of(System const& system, double kt,
                                      std::vector<Sample> const& samples) {
@@ -88,12 +97,14 @@ std::vector<PressurePoint> course_of(System const& system, double kt,
         auto const end = static_cast<std::ptrdiff_t>(point * samples.size() / points);
         until.assign(samples.begin(), samples.begin() + end);
         if (until.back().time > until.front().time)
-            course.push_back({until.back().time, compressibility_factor(system, kt, until)});
+            course.push_back({until.back().time, factor_of(system, kt, until)});
     }
     return course;
 }
 
 void add_theory(Physics& physics, System const& system) {
+    constexpr std::int64_t balls_min = 16; // fewer, as a cradle's, are no fluid
+    if (system.count < balls_min) return;
     try {
         double const side = system.side / system.diameter;
         auto const count = static_cast<double>(system.count);
@@ -125,8 +136,7 @@ Physics physics_of(Frame const& frame, std::vector<Sample> const& samples) {
     auto const law = law_of(frame);
     physics.speeds = histogram_of(frame, speeds, law, physics.temperature);
     if (law) physics.speed_test = test_speeds(speeds, *law);
-    physics.compressibility_factor =
-        compressibility_factor(frame.system, physics.temperature, samples);
+    physics.compressibility_factor = factor_of(frame.system, physics.temperature, samples);
     physics.course = course_of(frame.system, physics.temperature, samples);
     add_theory(physics, frame.system);
     return physics;

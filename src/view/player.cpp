@@ -153,6 +153,7 @@ bool Player::take_task() {
     asked_since_ = true; // what was asked for is shown at once
     next_.reset();       // may be of another time
     next_of_traced_.reset();
+    searched_at_.reset();
     target_ = source_->time();
     return true;
 }
@@ -169,8 +170,10 @@ void Player::work() {
         }
         std::unique_lock lock(mutex_);
         if (closing_) return;
-        if (changed_ && (wanted_ || asked_since_)) {
+        bool const search = owes_search_ && !asked_since_ && tasks_.empty();
+        if (search || (changed_ && (wanted_ || asked_since_))) {
             lock.unlock();
+            if (search) search_ahead();
             publish();
             continue;
         }
@@ -197,6 +200,8 @@ void Player::move() {
     } while (!arrived_ && seconds_between(begin, Clock::now()) < budget);
     meter_.add_engine_seconds(cpu_seconds() - cpu_begin);
     if (!prepared_ && source_->preparation_share() >= 1) begin_anew();
+    constexpr double sample_pause = 0.02; // [s]: Z needs many, however seldom frames are drawn
+    if (seconds_between(last_sample_, Clock::now()) > sample_pause) keep_sample();
     if (source_->time() >= source_->last_time() && !source_->may_grow()) now_.playing = Playing::no;
 }
 
@@ -208,12 +213,17 @@ void Player::refresh() {
     changed_ = true;
 }
 
-/// Few enough to be blocked at once; when there are more, every second one goes.
+/// Few enough to be blocked at once; when there are more, every second one goes, and new ones come
+/// as far apart as those that stay.
 void Player::keep_sample() {
     constexpr std::size_t samples_max = 1024;
+    last_sample_ = Clock::now();
     Sample const sample = source_->sample();
     std::erase_if(samples_, [&](Sample const& kept) { return kept.time > sample.time; });
-    if (!samples_.empty() && samples_.back().time >= sample.time) return;
+    if (!samples_.empty()) {
+        double const apart = (samples_.back().time - samples_.front().time) / samples_max;
+        if (sample.time <= samples_.back().time + apart) return;
+    }
     if (samples_.size() >= samples_max) {
         std::vector<Sample> thinned;
         for (std::size_t k = 0; k < samples_.size(); k += 2) thinned.push_back(samples_[k]);
@@ -228,26 +238,42 @@ Meter::Reached Player::reached() const {
     return {time, collisions_of(source_->sample())};
 }
 
+bool Player::is_past(std::optional<NextCollision> const& next) const {
+    return !next || next->time <= source_->time();
+}
+
 bool Player::should_look_ahead() const {
     constexpr std::int64_t while_playing = 3000, at_all = 200'000; // a blink of an eye each
     auto const count = source_->system().count;
     return count <= (now_.playing == Playing::yes ? while_playing : at_all);
 }
 
+/// Of many balls a search takes longer than a person should wait for the picture.
+Player::LookAhead Player::when_to_look() const {
+    constexpr std::int64_t few = 3000;
+    return source_->system().count <= few ? LookAhead::now : LookAhead::later;
+}
+
+void Player::search_ahead() {
+    owes_search_ = false;
+    auto const traced = source_->history() ? source_->history()->traced() : -1;
+    if (is_past(next_)) next_ = source_->next_collision(std::nullopt);
+    if (traced >= 0 && is_past(next_of_traced_)) next_of_traced_ = source_->next_collision(traced);
+    searched_at_ = source_->time();
+}
+
 void Player::look_ahead(Frame& frame) {
-    auto const is_past = [&](std::optional<NextCollision> const& next) {
-        return !next || next->time <= source_->time();
-    };
     if (!should_look_ahead()) {
         next_.reset();
         next_of_traced_.reset();
+        owes_search_ = false;
         return;
     }
-    if (is_past(next_)) next_ = source_->next_collision(std::nullopt);
-    if (frame.traced >= 0 && is_past(next_of_traced_))
-        next_of_traced_ = source_->next_collision(frame.traced);
-    frame.next = next_;
-    if (frame.traced >= 0) frame.next_of_traced = next_of_traced_;
+    bool const due = is_past(next_) || (frame.traced >= 0 && is_past(next_of_traced_));
+    owes_search_ = due && searched_at_ != source_->time();
+    if (owes_search_ && when_to_look() == LookAhead::now) search_ahead();
+    if (!is_past(next_)) frame.next = next_;
+    if (frame.traced >= 0 && !is_past(next_of_traced_)) frame.next_of_traced = next_of_traced_;
 }
 
 void Player::publish() {
@@ -263,6 +289,7 @@ void Player::publish() {
     now_.last_time = source_->last_time();
     now_.description = source_->description();
     now_.remark = source_->remark();
+    now_.settled = !owes_search_;
     constexpr double physics_pause = 0.2; // [s]
     if (now_.playing == Playing::no ||
         seconds_between(last_physics_, Clock::now()) > physics_pause) {

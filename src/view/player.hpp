@@ -26,6 +26,7 @@ struct Shown {
     Playing playing = Playing::no;
     double speed = 1;         // asked for: simulated time in a second
     Meter::Rates rates;       // as they were in the last half second
+    bool settled = false;     // no collision to come is still being looked for
     double equilibration = 1; // share that is done; time stands still before
     double first_time = 0, last_time = 0;
     std::string description;
@@ -58,6 +59,8 @@ public:
     void want_news();
     /// Whether it shows all that has been asked for.
     bool has_done_all(Shown const& shown) const { return shown.tasks_done == tasks_asked_; }
+    /// And all that follows from it.
+    bool is_settled(Shown const& shown) const { return has_done_all(shown) && shown.settled; }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -69,24 +72,30 @@ private:
     void guarded(Task const& task);
     void move();
     void refresh();
+    enum class LookAhead { now, later };
+    LookAhead when_to_look() const;
     void look_ahead(Frame& frame);
+    void search_ahead();
     void begin_anew();
     void keep_sample();
     Meter::Reached reached() const;
     void publish();
     bool should_look_ahead() const;
+    bool is_past(std::optional<NextCollision> const& next) const;
 
     // Of the thread alone.
     std::unique_ptr<Source> source_;
     std::shared_ptr<Eigen::Matrix3Xd const> start_places_;
     Shown now_; // without its frame
     std::optional<NextCollision> next_, next_of_traced_;
+    std::optional<double> searched_at_; // the time; where none was found none is looked for again
     std::vector<Sample> samples_;
     Meter meter_;
-    Clock::time_point last_move_, last_physics_, last_refresh_;
+    Clock::time_point last_move_, last_physics_, last_refresh_, last_sample_;
     double target_ = 0;
     bool arrived_ = true; // as near to the target as the source can come
     bool changed_ = true, asked_since_ = false, prepared_ = false;
+    bool owes_search_ = false; // for the collisions to come
 
     std::uint64_t tasks_asked_ = 0; // of those who ask
 

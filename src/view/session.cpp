@@ -9,22 +9,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace clack::view {
 
 namespace {
 
+std::optional<Scene> scene_of(Options const& options) {
+    if (options.form != Form::scene) return std::nullopt;
+    return read_scene(options.path, options.overrides);
+}
+
+std::string title_of(Options const& options) {
+    auto const scene = scene_of(options);
+    if (scene && !scene->title.empty()) return scene->title;
+    return std::filesystem::path(options.path).filename().string();
+}
+
 SceneChoice choice_of(Options const& options, System const& system) {
     SceneChoice choice;
     choice.count = static_cast<int>(system.count);
     choice.packing_fraction = static_cast<float>(system.packing_fraction());
-    if (options.form == Form::scene) {
-        auto const scene = read_scene(options.path, options.overrides);
-        choice.seed = static_cast<int>(scene.seed % 1'000'000'000);
-        choice.method = name_of(scene.method);
+    if (auto const scene = scene_of(options)) {
+        choice.seed = static_cast<int>(scene->seed % 1'000'000'000);
+        choice.method = name_of(scene->method);
     }
     return choice;
 }
@@ -32,7 +44,8 @@ SceneChoice choice_of(Options const& options, System const& system) {
 } // namespace
 
 Session::Session(Options the_options, std::unique_ptr<Source> source)
-    : options(std::move(the_options)), choice(choice_of(options, source->system())),
+    : options(std::move(the_options)), title(title_of(options)),
+      choice(choice_of(options, source->system())),
       // NOLINTNEXTLINE(bugprone-use-after-move): choice stands before player
       player(std::move(source), options.speed) {
     look.colouring = options.colouring;

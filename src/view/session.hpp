@@ -40,6 +40,7 @@ public:
     void look_at_latest() { shown = player.latest(); }
 
     Options options;
+    std::string title; // of the scene, or the file's name
     SceneChoice choice;
     Player player;
     std::shared_ptr<Shown const> shown;

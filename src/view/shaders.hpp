@@ -66,12 +66,10 @@ vec3 lit(vec3 normal) { // the light stands above and to the left of the eye
     vec3 shade = base * (0.16 + 0.20 * sky + 0.80 * direct) * (0.50 + 0.50 * normal.z);
     float gleam = max(dot(normal, half_way), 0);
     gleam *= gleam; gleam *= gleam; gleam *= gleam; gleam *= gleam; gleam *= gleam;
-    return shade + vec3(0.30 * gleam);
+    // A flash is white in the middle and leaves the rim its colour, which goes on to tell something.
+    return mix(shade + vec3(0.30 * gleam), vec3(1), tint.a * tint.a * normal.z * normal.z);
 }
-vec4 finished(vec3 linear) {
-    vec3 colour = mix(sqrt(linear), vec3(1.0, 0.42, 0.08), tint.a);
-    return vec4(mix(colour, background, 0.55 * fog), 1);
-}
+vec4 finished(vec3 linear) { return vec4(mix(sqrt(linear), background, 0.55 * fog), 1); }
 )";
 
 constexpr char const* ball_fragment = R"(

@@ -46,6 +46,7 @@ std::string state_of(Session const& session, Visited& window) {
         {"engine_share", shown.rates.engine_share},
         {"drawing_seconds", window.drawing_seconds()},
         {"deafness", window.longest_deafness()},
+        {"answer", window.longest_answer()},
         {"description", shown.description},
         {"remark", shown.remark},
         {"message", shown.message}};
@@ -74,7 +75,7 @@ Visit::Visit(std::string const& path) {
 }
 
 bool Visit::is_done_waiting(Session const& session, Visited const& window) const {
-    if (!window.is_up_to_date() || !session.player.has_done_all(*session.shown)) return false;
+    if (!window.is_up_to_date() || !session.player.is_settled(*session.shown)) return false;
     if (Clock::now() < wait_until_) return false;
     return session.shown->frame.snapshot.time >= wait_for_time_;
 }

@@ -22,6 +22,8 @@ public:
     virtual void save(std::string const& path) = 0;
     /// The longest that the window was deaf since this was last asked  [s]
     virtual double longest_deafness() = 0;
+    /// The longest that a picture took to show what was asked for, likewise  [s]
+    virtual double longest_answer() = 0;
     virtual double drawing_seconds() const = 0;
 };
 

@@ -1,7 +1,9 @@
 #include "view/window.hpp"
 
 #include "state/errors.hpp"
+#include "view/answers.hpp"
 #include "view/canvases.hpp"
+#include "view/fineness.hpp"
 #include "view/glfw_window.hpp"
 #include "view/images.hpp"
 #include "view/panel.hpp"
@@ -22,15 +24,26 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 using Clock = std::chrono::steady_clock;
 
-/// All that a drawn picture depends on.
-struct Drawn {
-    std::uint64_t frame = 0;
+/// What a person has chosen to see.
+struct Chosen {
     Look look;
     float azimuth = 0, elevation = 0, zoom = 0;
     Eigen::Vector3f target = Eigen::Vector3f::Zero();
     PixelSize size;
 
-    bool operator==(Drawn const&) const = default;
+    bool operator==(Chosen const&) const = default;
+};
+
+/// All that a drawn picture depends on.
+struct Drawn {
+    std::uint64_t frame = 0;
+    Chosen chosen;
+    std::uint64_t asked = 0; // how much of what was asked for it shows
+    float fineness = 0;
+
+    bool shows_same(Drawn const& other) const {
+        return frame == other.frame && chosen == other.chosen;
+    }
 };
 
 class Stage final : public Visited, private Hands {
@@ -41,7 +54,7 @@ public:
     }
 
     void run() {
-        canvases_.warm_up(picture_size(), {1, samples_at_rest});
+        canvases_.warm_up(picture_size());
         compose();
         window_.appear();
         while (!session_.closing && !window_.is_closing()) {
@@ -49,29 +62,37 @@ public:
             auto const begin = Clock::now();
             session_.look_at_latest();
             if (visit_) visit_->go_on(session_, *this);
-            draw_balls();
-            compose();
+            bool const news = draw_balls();
+            if (news || is_panel_due(begin)) compose();
             Seconds const passed = Clock::now() - begin;
             deafness_ = std::max(deafness_, passed.count());
-            if (!canvases_.is_drawing()) window_.wait_for_events(frame_time - passed.count());
+            if (!is_drawing()) window_.wait_for_events(frame_time - passed.count());
         }
     }
 
     // What a visit does.
     void press(std::string const& name) override {
+        answers_.ask(Clock::now());
         for (Key const& key : keys()) {
             if (name == key.name) key.action(session_);
         }
     }
-    void click(float x, float y) override { session_.pick(x, y, picture_size()); }
-    void drag(float right, float down) override { turn(right, down); }
-    void scroll(float notches) override { session_.camera.zoom_by(std::pow(1.1f, notches)); }
+    void click(float x, float y) override {
+        answers_.ask(Clock::now());
+        session_.pick(x, y, picture_size());
+    }
+    void drag(float right, float down) override { on_drag(DragKind::turn, right, down); }
+    void scroll(float notches) override {
+        answers_.ask(Clock::now());
+        session_.camera.zoom_by(std::pow(1.1f, notches));
+    }
     bool is_up_to_date() const override {
-        bool const playing = session_.shown->playing == Playing::yes;
-        return whole_ && (playing || whole_->frame == session_.shown->number);
+        if (!whole_ || answers_.asked() > answered_) return false;
+        return session_.shown->playing == Playing::yes || whole_->frame == session_.shown->number;
     }
     void save(std::string const& path) override { save_to_ = path; }
     double longest_deafness() override { return std::exchange(deafness_, 0); }
+    double longest_answer() override { return answers_.longest(); }
     double drawing_seconds() const override { return canvases_.seconds_of_last(); }
 
 private:
@@ -79,6 +100,7 @@ private:
 
     // What a person does.
     void on_key(int code) override {
+        answers_.ask(Clock::now());
         for (Key const& key : keys()) {
             if (key.code == code) key.action(session_);
         }
@@ -87,21 +109,19 @@ private:
         if (x < static_cast<float>(picture_size().width)) click(x, y);
     }
     void on_drag(DragKind kind, float right, float down) override {
+        answers_.ask(Clock::now());
+        constexpr float radians_per_pixel = 0.006f;
         auto const height = static_cast<float>(picture_size().height);
         if (kind == DragKind::turn)
-            turn(right, down);
+            session_.camera.orbit(radians_per_pixel * right, radians_per_pixel * down);
         else
             session_.camera.pan(right / height, -down / height);
     }
     void on_scroll(float notches) override { scroll(notches); }
 
-    void turn(float right, float down) {
-        constexpr float radians_per_pixel = 0.006f;
-        session_.camera.orbit(radians_per_pixel * right, radians_per_pixel * down);
-    }
-
+    bool is_drawing() const { return canvases_.is_drawing() || prepared_.valid(); }
     bool is_busy() const {
-        return canvases_.is_drawing() || visit_ || session_.shown->playing == Playing::yes ||
+        return is_drawing() || visit_ || session_.shown->playing == Playing::yes ||
                session_.shown->equilibration < 1;
     }
 
@@ -113,33 +133,44 @@ private:
 
     Drawn wanted() const {
         auto const& camera = session_.camera;
-        return {session_.shown->number, session_.look, camera.azimuth,
-                camera.elevation,       camera.zoom,   camera.target,
-                picture_size()};
+        Drawn drawn{session_.shown->number,
+                    {session_.look, camera.azimuth, camera.elevation, camera.zoom, camera.target,
+                     picture_size()}};
+        // What the player is still to do is not shown yet.
+        bool const done = session_.player.has_done_all(*session_.shown);
+        drawn.asked = done ? answers_.asked() : answered_;
+        return drawn;
     }
 
-    /// A new picture where there is news; a finer one where there is none.
-    void draw_balls() {
-        constexpr Seconds budget(0.012);
+    /// A new picture where there is news; a finer one where there is none. True when one is whole.
+    bool draw_balls() {
+        constexpr Seconds budget(0.012), preparation(0.004);
+        leave_what_is_outdated();
         if (prepared_.valid()) {
-            if (prepared_.wait_for(Seconds(0)) == std::future_status::timeout) return;
-            canvases_.begin(prepared_.get(), under_way_.size, samples_under_way_);
-            if (canvases_.seconds_so_far() > budget.count() / 2) return; // a canvas was made
+            if (prepared_.wait_for(preparation) == std::future_status::timeout) return false;
+            canvases_.begin(prepared_.get(), under_way_.chosen.size, under_way_.fineness);
+            if (canvases_.seconds_so_far() > budget.count() / 2) return false; // made a canvas
         } else if (!canvases_.is_drawing()) {
-            auto const now = wanted();
-            bool const news = !whole_ || !(*whole_ == now);
-            if (!news && canvases_.shown_samples() >= samples_at_rest) return;
-            under_way_ = now;
-            samples_under_way_ = news ? samples_in_motion_ : samples_at_rest;
+            auto next = wanted();
+            bool const news = !whole_ || !whole_->shows_same(next);
+            if (!news && canvases_.shown_fineness() >= finest) return false;
+            bool const by_hand = !whole_ || !(whole_->chosen == next.chosen);
+            next.fineness = by_hand ? fineness_.for_hand() : fineness_.for_time();
+            if (!news) next.fineness = finest;
+            under_way_ = next;
             prepare();
-            return;
+            return false;
         }
-        if (!canvases_.go_on(budget)) return;
-        bool const coarse = canvases_.shown_samples() == 1;
-        constexpr double quick = 0.005, slow = 0.025;
-        if (coarse && canvases_.seconds_of_last() < quick) samples_in_motion_ = samples_at_rest;
-        if (!coarse && canvases_.seconds_of_last() > slow) samples_in_motion_ = 1;
+        if (!canvases_.go_on(budget)) return false;
+        fineness_.took(under_way_.fineness, canvases_.seconds_of_last());
         whole_ = under_way_;
+        return true;
+    }
+
+    /// A fine picture that a hand has made outdated would only be in the way of the next.
+    void leave_what_is_outdated() {
+        if (!canvases_.is_drawing() || under_way_.fineness <= fineness_.for_hand()) return;
+        if (!(under_way_.chosen == wanted().chosen)) canvases_.leave();
     }
 
     /// Colours and order of many balls take a moment, in which the window is to answer.
@@ -147,16 +178,15 @@ private:
         auto look = session_.look;
         look.flash_wait = flash_wait(*session_.shown);
         session_.player.want_news(); // while this picture is drawn
-        session_.camera.fit(under_way_.size, overhang(session_.shown->frame.system));
-        PixelSize const samples{under_way_.size.width * samples_under_way_,
-                                under_way_.size.height * samples_under_way_};
+        auto const& size = under_way_.chosen.size;
+        session_.camera.fit(size, overhang(session_.shown->frame.system));
         constexpr std::int64_t few = 3000;
         auto const policy =
             session_.shown->frame.system.count <= few ? std::launch::deferred : std::launch::async;
-        prepared_ = std::async(
-            policy, [this, look, samples, shown = session_.shown, camera = session_.camera] {
-                return order_.prepare(picture_of(shown->frame, look), camera, samples);
-            });
+        prepared_ = std::async(policy, [this, look, samples = finer(size, under_way_.fineness),
+                                        shown = session_.shown, camera = session_.camera] {
+            return order_.prepare(picture_of(shown->frame, look), camera, samples);
+        });
         if (policy == std::launch::deferred) prepared_.wait();
     }
 
@@ -174,7 +204,16 @@ private:
         return std::max(wait, 1e-12);
     }
 
+    /// The panel takes as long to draw as the balls of a small scene: at most so often, unless
+    /// somebody is at it.
+    bool is_panel_due(Clock::time_point now) const {
+        constexpr Seconds pause(0.1);
+        return window_.was_touched() || !save_to_.empty() || now - composed_ > pause ||
+               answers_.asked() > answered_;
+    }
+
     void compose() {
+        composed_ = Clock::now();
         canvases_.show(picture_size());
         window_.begin_panel();
         draw_panel(session_, {canvases_.seconds_of_last(), canvases_.balls_drawn()});
@@ -184,20 +223,23 @@ private:
             save_to_.clear();
         }
         window_.swap();
+        auto const now = wanted();
+        if (whole_) answered_ = whole_->shows_same(now) ? now.asked : whole_->asked;
+        answers_.answer(answered_, Clock::now());
     }
-
-    static constexpr int samples_at_rest = 2;
 
     GlfwWindow window_; // first: it makes OpenGL current
     Session session_;
     Canvases canvases_;
     BallOrder order_;
     std::future<Prepared> prepared_; // after what it works with
-    int samples_under_way_ = 1;
     std::optional<Visit> visit_;
     std::optional<Drawn> whole_;
     Drawn under_way_;
-    int samples_in_motion_ = 1;
+    Fineness fineness_;
+    Answers answers_;
+    std::uint64_t answered_ = 0; // of what was asked
+    Clock::time_point composed_;
     double deafness_ = 0;
     std::string save_to_;
 };

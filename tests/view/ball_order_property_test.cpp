@@ -1,4 +1,8 @@
+// What is drawn, how finely, and how long a person waits for it.
+
+#include "view/answers.hpp"
 #include "view/ball_order.hpp"
+#include "view/fineness.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -8,6 +12,7 @@
 #include <random>
 
 using namespace clack::view;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -106,4 +111,47 @@ BOOST_AUTO_TEST_CASE(a_ray_through_a_place_seen_comes_from_there) {
         camera.ray_through((seen.x() / seen.w() + 1) * 250, (1 - seen.y() / seen.w()) * 200, size);
     Eigen::Vector3f const away = place - ray.origin;
     BOOST_TEST((away - away.dot(ray.direction) * ray.direction).norm() < 1e-5f);
+}
+
+BOOST_AUTO_TEST_CASE(a_cut_hides_what_lies_towards_its_face) {
+    for (int face = 0; face < 6; ++face) {
+        Cut cut{static_cast<Face>(face), 0.75};
+        auto const at = [&](float depth) { // seen from the face
+            Eigen::Vector3f place = Eigen::Vector3f::Constant(0.5f);
+            place[face / 2] = face % 2 == 0 ? depth : 1 - depth;
+            return place;
+        };
+        BOOST_TEST(cut.hides(at(0.2f)));
+        BOOST_TEST(!cut.hides(at(0.3f)));
+        BOOST_TEST(!cut.hides(at(1)));
+        cut.share = 1;
+        BOOST_TEST(!cut.hides(at(-0.1f))); // a ball across the face
+    }
+}
+
+BOOST_AUTO_TEST_CASE(pictures_that_take_long_are_coarser_at_a_hand_s_touch) {
+    Fineness fineness;
+    BOOST_TEST(fineness.for_hand() == 1);
+    fineness.took(1, 0.08);
+    BOOST_TEST(fineness.for_hand() == coarsest);
+    BOOST_TEST(fineness.for_time() == 1);
+    fineness.took(finest, 0.3); // at rest, with time enough
+    BOOST_TEST(fineness.for_hand() == coarsest);
+    for (int k = 0; k < 3; ++k) fineness.took(fineness.for_hand(), 0.002);
+    BOOST_TEST(fineness.for_hand() == finest);
+    BOOST_TEST(fineness.for_time() == finest);
+}
+
+BOOST_AUTO_TEST_CASE(an_answer_is_the_wait_for_the_picture_that_shows_it) {
+    Answers answers;
+    Answers::Clock::time_point const start;
+    answers.ask(start);
+    answers.ask(start + 10ms);
+    answers.answer(0, start + 20ms); // a picture that was under way before
+    BOOST_TEST(answers.longest() == 0);
+    answers.answer(1, start + 30ms);
+    answers.answer(2, start + 50ms);
+    BOOST_TEST(std::abs(answers.longest() - 0.04) < 1e-12);
+    BOOST_TEST(answers.longest() == 0);
+    BOOST_TEST(answers.asked() == 2u);
 }

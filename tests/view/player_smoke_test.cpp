@@ -234,6 +234,42 @@ BOOST_AUTO_TEST_CASE(z_and_its_course_are_those_of_the_samples) {
     BOOST_TEST(range.high > std::max(1.5, physics.theory->value));
 }
 
+BOOST_AUTO_TEST_CASE(z_is_not_told_before_a_collision_nor_theory_for_a_handful_of_balls) {
+    auto const frame = frame_with_speeds(64, true);
+    std::vector<Sample> const samples{{0, {}, 96}, {1, {}, 96}, {2, {}, 96}};
+    auto const physics = physics_of(frame, samples);
+    BOOST_TEST(!physics.compressibility_factor.virial);
+    BOOST_TEST(!physics.compressibility_factor.wall);
+    BOOST_TEST(physics.theory.has_value());
+    BOOST_TEST(!physics_of(frame_with_speeds(8, true), {}).theory);
+}
+
+BOOST_AUTO_TEST_CASE(z_has_samples_however_seldom_frames_are_asked_for) {
+    Player player(live(), 1);
+    player.play();
+    auto const played = [](Shown const& now) { return now.playing == Playing::yes; };
+    BOOST_REQUIRE(played(*shown_when(player, played)));
+    std::this_thread::sleep_for(1s);
+    auto const shown =
+        shown_when(player, [](Shown const& now) { return now.frame.snapshot.time > 0.5; });
+    BOOST_TEST(shown->physics.course.size() > 12u);
+}
+
+BOOST_AUTO_TEST_CASE(of_many_balls_the_next_collision_is_told_after_the_picture) {
+    auto source =
+        std::make_unique<Live>(parse_scene(changed(gas, "count = 64", "count = 4096"), "gas.toml"));
+    BOOST_REQUIRE(source->system().count > 3000);
+    Player player(std::move(source), 1);
+    player.step();
+    auto shown = shown_when_done(player);
+    BOOST_TEST(shown->frame.snapshot.time > 0);
+    shown = shown_when(player, [&](Shown const& now) { return player.is_settled(now); });
+    BOOST_REQUIRE(shown->frame.next);
+    double const foretold = shown->frame.next->time;
+    player.step();
+    BOOST_TEST(shown_when_done(player)->frame.snapshot.time == foretold);
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_that_does_not_fit_is_told_and_the_old_one_stays) {
     Options options;
     options.path = folder.write("gas.toml", gas);
@@ -253,20 +289,7 @@ BOOST_AUTO_TEST_CASE(a_scene_that_does_not_fit_is_told_and_the_old_one_stays) {
     BOOST_TEST(shown->frame.system.count == 125);
 }
 
-BOOST_AUTO_TEST_CASE(a_cut_hides_what_lies_towards_its_face) {
-    for (int face = 0; face < 6; ++face) {
-        Cut cut{static_cast<Face>(face), 0.75};
-        auto const at = [&](float depth) { // seen from the face
-            Eigen::Vector3f place = Eigen::Vector3f::Constant(0.5f);
-            place[face / 2] = face % 2 == 0 ? depth : 1 - depth;
-            return place;
-        };
-        BOOST_TEST(cut.hides(at(0.2f)));
-        BOOST_TEST(!cut.hides(at(0.3f)));
-        BOOST_TEST(!cut.hides(at(1)));
-        cut.share = 1;
-        BOOST_TEST(!cut.hides(at(-0.1f))); // a ball across the face
-    }
+BOOST_AUTO_TEST_CASE(the_cut_goes_from_face_to_face) {
     Options options;
     options.path = folder.write("gas.toml", gas);
     Session session(options, live());

@@ -145,14 +145,19 @@ velocities = [[1.0, 0.5, 0.25]]
 [run]
 time = 10.0
 )");
-    auto const states = states_of(visit(one, "click 215 320\nprint\nkey right\nkey right\nprint\n"
-                                             "click 5 5\nprint\nsave " +
-                                                 folder.file("one.png") + "\n"));
+    auto const states =
+        states_of(visit(one, "click 215 320\nprint\nkey right\nkey right\nprint\n"
+                             "click 5 5\nprint\nsave " +
+                                 folder.file("one.png") + "\nkey ?\nwait 0.2\nsave " +
+                                 folder.file("keys.png") + "\n"));
     BOOST_TEST(states[0]["traced"] == 0);
     BOOST_TEST(states[0]["balls"] == 1);
     BOOST_TEST(states[1]["bends"] == 3);
     BOOST_TEST(states[2]["traced"] == -1);
-    BOOST_TEST(bright_pixels(folder.file("one.png")) > 1000);
+    auto const pixels_of_one = bright_pixels(folder.file("one.png"));
+    BOOST_TEST(pixels_of_one > 1000);
+    constexpr int letters = 400, pixels_of_letter = 8; // in the list of keys, at least
+    BOOST_TEST(bright_pixels(folder.file("keys.png")) > pixels_of_one + letters * pixels_of_letter);
 }
 
 BOOST_AUTO_TEST_CASE(another_scene_starts_cleanly_and_an_impossible_one_is_told) {
@@ -172,6 +177,24 @@ BOOST_AUTO_TEST_CASE(another_scene_starts_cleanly_and_an_impossible_one_is_told)
     BOOST_TEST(states[1]["message"].get<std::string>().find("packing_fraction") !=
                std::string::npos);
     BOOST_TEST(bright_pixels(saved) > 15'000);
+}
+
+BOOST_AUTO_TEST_CASE(another_seed_starts_anew_with_other_velocities) {
+    auto const states = states_of(visit(folder.write("gas.toml", gas),
+                                        "print\nkey right\nkey s\nprint\nchoose seed 3\nstart\n"
+                                        "print\ndrag 30 10\nscroll 1\nprint\n"));
+    BOOST_TEST(states[1]["time"] == 0.0);
+    BOOST_TEST(states[1]["next_time"] != states[0]["next_time"]);
+    BOOST_TEST(states[2]["next_time"] == states[0]["next_time"]);
+    BOOST_TEST(states[3]["answer"].get<double>() > 0); // a picture has shown the turn
+    BOOST_TEST(states[3]["answer"].get<double>() < 5);
+}
+
+BOOST_AUTO_TEST_CASE(a_corrupt_file_is_refused) {
+    auto const outcome = visit(folder.write("corrupt.h5", std::string(5000, 'x')), "print\n");
+    BOOST_TEST(outcome.code == 2);
+    BOOST_TEST(outcome.err_is_one_line());
+    BOOST_TEST(outcome.err.find("not an HDF5 file") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_file_is_replayed_exactly_between_its_frames) {
