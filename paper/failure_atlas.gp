@@ -20,7 +20,7 @@ ink(code) = (dark(code) ? 0xffffff : 0x000000)
 # as long as it was; why it was not run at all.
 number(k) = sprintf('%.3g', real(k))
 shown(code, k, gross, reached, last, why) = \
-    (code == 8 ? why : code == 0 ? (real(reached) < real(last) ? '≤ ' . number(reached) : '') : code == 1 ? number(k) : number(gross))
+    (code == 8 ? word('t w p r m', int(why)) : code == 0 ? (real(reached) < real(last) ? '≤ ' . number(reached) : '') : code == 1 ? number(k) : number(gross))
 
 # A dagger: from some k on physics has no answer. What grows with k stands behind the name.
 title(scene, parameter, none) = scene . (none eq 'nan' ? '' : '†') . ' {/=5.5 (' . raised(parameter) . ')}'
@@ -53,5 +53,5 @@ do for [x in "2.5 5.5 6.5 9.5"] {
     set arrow from first x + 0, first -0.5 to first x + 0, first rows - 0.5 nohead front lc rgb '#000000' lw 1
 }
 
-plot file using 4:1:(0.5):(0.5):(colour($7, $8)):ytic(title(strcol(2), strcol(3), strcol(12))):x2tic(strcol(5)) with boxxyerror lc rgb variable, \
-     file using 4:1:(shown($7, strcol(9), strcol(13), strcol(14), strcol(11), strcol(15))):($7 == 8 ? 0x888888 : ink($7)) with labels font ',5.5' tc rgb variable
+plot file using 4:1:(0.5):(0.5):(colour($8, $9)):ytic(title(strcol(2), strcol(3), strcol(7))):x2tic(strcol(5)) with boxxyerror lc rgb variable, \
+     file using 4:1:(shown($8, strcol(10), strcol(11), strcol(12), strcol(6), $13)):($8 == 8 ? 0x888888 : ink($8)) with labels font ',5.5' tc rgb variable

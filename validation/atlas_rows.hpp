@@ -5,6 +5,7 @@
 #include "validation/atlas_methods.hpp"
 #include "validation/atlas_scenes.hpp"
 
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -24,6 +25,7 @@ struct Cell {
     Absence absence = Absence::none; // why some k were not, the easiest of them
     Extent extent{};                 // of its longest run
 
+    bool fails() const { return worst != Kind::ok && worst != Kind::not_run; }
     void add(double k, Judged const& judged) {
         if (judged.kind == Kind::not_run) {
             if (absence == Absence::none) absence = judged.absence;
@@ -171,14 +173,29 @@ private:
     std::map<double, Posed> posed_;
 };
 
+/// A cell as campaign and data keep it.
+constexpr std::array number_names{"outcome_code", "digits_lost",  "threshold_k",
+                                  "gross_from_k", "reached_k",    "absence_code",
+                                  "collisions",   "energy_drift", "deepest_overlap"};
+inline Measurement numbers_of(Cell const& cell) {
+    return {static_cast<double>(cell.worst),
+            cell.digits,
+            cell.threshold,
+            cell.gross,
+            cell.reached,
+            static_cast<double>(cell.absence),
+            cell.extent.collisions,
+            cell.extent.energy_drift,
+            cell.extent.deepest_overlap};
+}
+
 /// A row as the campaign keeps it.
 inline Measurement flat(Row const& row) {
     Measurement numbers;
-    for (Cell const& cell : row.cells)
-        numbers.insert(numbers.end(),
-                       {static_cast<double>(cell.worst), cell.digits, cell.threshold, cell.gross,
-                        cell.reached, static_cast<double>(cell.absence), cell.extent.collisions,
-                        cell.extent.energy_drift, cell.extent.deepest_overlap});
+    for (Cell const& cell : row.cells) {
+        Measurement const more = numbers_of(cell);
+        numbers.insert(numbers.end(), more.begin(), more.end());
+    }
     numbers.push_back(row.no_limit_from);
     for (auto const& [i, j] : row.tie)
         numbers.insert(numbers.end(), {static_cast<double>(i), static_cast<double>(j)});

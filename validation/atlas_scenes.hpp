@@ -136,9 +136,9 @@ inline std::vector<Scene> scenes(Profile const profile) {
         {"edge", "delay 10^-k", levels(1, 17, 2), edge},
         {"one fast ball", "speed 10^k", levels(0, 8, 1), one_fast},
         {"tiny balls", "side 10^k diameters", levels(1, 7, 1), tiny},
-        {"near close packing", "pressure 10^k", levels(1, 6, 1), near_close_packing},
+        {"near close packing", "pressure 10^k", levels(1, 6, full ? 1 : 2.5), near_close_packing},
         {"dilute", "free path 10^k boxes", levels(0, 4, 1), dilute},
-        {"long run", "10^k collisions", levels(3, full ? 7.5 : 5.5, full ? 1.5 : 1.25), long_run},
+        {"long run", "10^k collisions", levels(3, full ? 7.5 : 5, full ? 1.5 : 1), long_run},
         {"very long run", "10^k collisions", levels(full ? 8 : 6, full ? 9 : 6, 1), very_long_run},
         {"late clock", "clock 10^k", levels(0, 12, 2), clock_far_on},
         {"time reversal", "time k each way", levels(4, 16, 4), there_and_back},
@@ -146,7 +146,7 @@ inline std::vector<Scene> scenes(Profile const profile) {
         {"one ball", "path 4 10^k", levels(0, 4, 1), one_ball},
         {"two balls between walls", "time k", levels(2, 14, 4), two_in_cube},
         {"two periodic balls", "time k", levels(4, 16, 4), two_in_periodic},
-        {"balls on a line", "time 10^k", levels(1, 3.5, 0.5), chain},
+        {"balls on a line", "time 10^k", levels(1, full ? 3.5 : 3, 0.5), chain},
         {"far from zero", "side 10^k", levels(1, 12, 1), far_from_zero},
     };
 }
