@@ -7,7 +7,7 @@ height = 17.0
 load 'paper/style.gp'
 set datafile missing NaN
 
-file = data . '/work_precision.csv'
+file = data . '/work_precision_points.csv'
 methods = 'table heap fast frames lammps'
 titles = 'table heap fast frames LAMMPS'
 style(k) = k == 1 ? 1 : k == 2 ? 3 : k == 3 ? 2 : k + 0
@@ -70,10 +70,10 @@ do for [j = 1:3] {
     set format y '%g'
     set ylabel (j == 1 ? 'collisions per ball in common' : '') offset 0.6, 0
     # Limits for 100 balls; each stands once in the rows of `fast`.
-    limit(n) = strcol(3) eq 'fast' && $2 == 100 && $1 == phi && strcol(4) eq word(types, n) ? $10 : NaN
-    eval 'plot for [n = 1:4] file using (1e-8):(limit(n)):(3e-2):(0) with vectors nohead ls 9, for [n = 1:4] file using (2.5e-2):(limit(n)):(strcol(4)) with labels font ",7" offset 0, (n == 2 ? -0.5 : 0.5) right, ' . curves . ", for [c = 1:3] file using 5:(at(3, c, phi, 13)) with points pt 2 ps 1.6 * size(c) lc rgb '#000000'"
+    limit(n) = strcol(3) eq 'fast' && $2 == 100 && $1 == phi && strcol(4) eq word(types, n) ? $13 : NaN
+    eval 'plot for [n = 1:4] file using (1e-8):(limit(n)):(3e-2):(0) with vectors nohead ls 9, for [n = 1:4] file using (2.5e-2):(limit(n)):(strcol(4)) with labels font ",7" offset 0, (n == 2 ? -0.5 : 0.5) right, ' . curves . ", for [c = 1:3] file using 5:(at(3, c, phi, 12)) with points pt 2 ps 1.6 * size(c) lc rgb '#000000'"
 
-    i = 3; y = 11
+    i = 3; y = 9
     @cell
     set logscale y
     set yrange [1e-36:20]
@@ -82,7 +82,7 @@ do for [j = 1:3] {
     set ylabel (j == 1 ? 'deepest overlap (diameters)' : '') offset 0.6, 0
     eval 'plot ' . curves
 
-    i = 4; y = 12
+    i = 4; y = 10
     @cell
     set format x '10^{%T}'
     set xlabel (j == 2 ? 'processor time by ball and mean free time, s' : '')

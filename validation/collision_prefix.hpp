@@ -56,9 +56,9 @@ inline std::vector<StatePoint> state_points(Profile const profile) {
 /// The balls that each ball meets, in their order.
 using Partners = std::vector<std::vector<std::int64_t>>;
 
-inline Partners partners_of(Segment const& segment) {
-    Partners partners(static_cast<std::size_t>(segment.start.positions.cols()));
-    for (Meeting const& meeting : segment.meetings) {
+inline Partners partners_of(std::vector<Meeting> const& meetings, std::int64_t const count) {
+    Partners partners(static_cast<std::size_t>(count));
+    for (Meeting const& meeting : meetings) {
         if (meeting.kind != CollisionKind::ball) continue;
         partners[static_cast<std::size_t>(meeting.first)].push_back(meeting.second);
         partners[static_cast<std::size_t>(meeting.second)].push_back(meeting.first);
@@ -97,15 +97,16 @@ inline Measurement measure(StatePoint const& point, std::uint64_t const seed) {
     SoftRuns const runs{system, point.stiffnesses, steps_per_contact, looks_per_contact};
     reference::LammpsFolder const folder;
     runs.run(folder, deck(), segments);
-    Measurement values{matched(partners_of(hard), partners_of(hard))};
+    Partners const of_hard = partners_of(hard.meetings, system.count);
+    Measurement values{matched(of_hard, of_hard)};
     for (std::size_t k = 0; k < point.stiffnesses.size(); ++k) {
         auto const frames =
             reference::read_lammps_dump(folder / (SoftRuns::name(k, 0) + ".contacts"));
         Partners const soft = partners_of(reference::collisions_seen(frames), system.count);
         Segment const yielding =
             softened<SoftenedBalls>(system, hard, point.stiffnesses[k], steps_per_contact);
-        values.push_back(matched(partners_of(hard), soft));
-        values.push_back(matched(partners_of(yielding), soft));
+        values.push_back(matched(of_hard, soft));
+        values.push_back(matched(partners_of(yielding.meetings, system.count), soft));
     }
     return values;
 }

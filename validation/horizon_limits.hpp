@@ -18,11 +18,6 @@ namespace clack::validation::work_precision {
 
 constexpr double horizon_margin = 0.05, gain_margin = 0.15;
 
-/// Where the values of one line stand in a Measurement.
-struct Line {
-    std::string method, knob;
-};
-
 /// One line of the table: a method with its knob at a state point, all replicates.
 struct Row {
     StatePoint point;
@@ -47,7 +42,7 @@ inline double line_of(Row const& row) {
 
 /// How far the horizon of a type falls short of a limit; lasting longer is no fault.
 inline Comparison shortfall(std::vector<Row> const& rows, std::string const& type,
-                            double Point::*limit, std::string const& name) {
+                            double Point::*limit) {
     std::vector<double> ratios;
     for (Row const& row : rows)
         if (row.line.method == "fast" && row.line.knob == type)
@@ -55,7 +50,7 @@ inline Comparison shortfall(std::vector<Row> const& rows, std::string const& typ
                 if (p.*limit > 0) ratios.push_back(p.horizon / (p.*limit));
     Estimate short_of = mean_of(ratios);
     short_of.value = std::max(1 - short_of.value, 0.0);
-    return {type + ": short of " + name, short_of, 0, 0, horizon_margin};
+    return {.measured = short_of, .margin = horizon_margin};
 }
 
 /// A ratio in all cells of one packing fraction where a horizon was measured, least and largest:
@@ -103,7 +98,7 @@ inline Comparison gain(std::vector<Row> const& rows) {
                         (other.replicates[r].horizon - one.replicates[r].horizon) /
                         (other.point.limit(reference::rounding_unit(Precision::extended)) -
                          one.point.limit(reference::rounding_unit(Precision::single_))));
-    return {"gain of a digit over the Lyapunov exponent's", mean_of(ratios), 1, 0, gain_margin};
+    return {.measured = mean_of(ratios), .reference = 1, .margin = gain_margin};
 }
 
 } // namespace clack::validation::work_precision

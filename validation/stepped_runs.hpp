@@ -5,11 +5,18 @@
 #include "reference/frame_stepping.hpp"
 #include "validation/work_precision.hpp"
 
+#include <fmt/ranges.h>
+
 #include <fstream>
 
 namespace clack::validation::work_precision {
 
 constexpr int spans = 3; // final times that stepped runs are followed for
+
+/// What they are held against.
+inline Run oracle_of_steps(Scenery const& place) {
+    return run(place, Method::fast, Precision::quadruple, place.start, spans * final_time);
+}
 
 /// Frames with a step of so many mean free times.
 inline Point frames_point(Scenery const& scenery, double const step, Run const& oracle) {
@@ -24,11 +31,9 @@ inline Point frames_point(Scenery const& scenery, double const step, Run const& 
     run.places = frames.balls().positions.cast<quad>();
     frames.advance((spans - 1) * steps);
     double const seconds = processor_seconds() - begin;
-    Segment segment;
-    segment.start = scenery.start;
-    for (auto const& [i, j] : frames.pairs())
-        segment.meetings.push_back({CollisionKind::ball, 0, i, j});
-    run.partners = collision_prefix::partners_of(segment);
+    std::vector<Meeting> meetings;
+    for (auto const& [i, j] : frames.pairs()) meetings.push_back({CollisionKind::ball, 0, i, j});
+    run.partners = partners_of(meetings, scenery.system.count);
     run.deepest_overlap = frames.tallies().deepest_overlap;
     run.energy_drift = std::abs(frames.balls().velocities.squaredNorm() / energy - 1);
     Point made = compare(run, oracle);
@@ -90,8 +95,7 @@ inline std::vector<Point> lammps_points(Scenery const& scenery, std::vector<Soft
         auto const touching = reference::read_lammps_dump(folder / fmt::format("{}.contacts", k));
         Run run;
         run.places = reference::balls_of(frames.at(1)).positions.cast<quad>();
-        run.partners = collision_prefix::partners_of(reference::collisions_seen(touching),
-                                                     scenery.system.count);
+        run.partners = partners_of(reference::collisions_seen(touching), scenery.system.count);
         double const normal_speed = std::sqrt(std::numbers::pi); // mean, at kT = m = 1
         run.deepest_overlap =
             normal_speed * reference::contact_duration(knobs[k].stiffness) / std::numbers::pi;
@@ -102,6 +106,62 @@ inline std::vector<Point> lammps_points(Scenery const& scenery, std::vector<Soft
             seconds.at(k) / (spans * final_time * static_cast<double>(scenery.system.count));
     }
     return points;
+}
+
+/// The lines of a chart that are measured together.
+struct Group {
+    std::string what; // with the knobs, by which a campaign tells one profile from another
+    std::vector<Line> lines;
+    int replicates;
+    Measure measure;
+};
+
+inline Group frames_group(StatePoint const& point, Profile const profile) {
+    std::vector<double> steps{0.3, 0.1, 0.03, 0.01};
+    if (point.count < 1000 || profile == Profile::full) steps.insert(steps.end(), {3e-3, 1e-3});
+    Group group{fmt::format("frames {}", fmt::join(steps, ",")), {}, 1, {}};
+    for (double const step : steps) group.lines.push_back({"frames", fmt::format("{:g}", step)});
+    group.measure = [=](std::uint64_t const seed) {
+        Scenery const place = scenery(point, seed);
+        Run const oracle = oracle_of_steps(place);
+        Measurement values;
+        for (double const step : steps) append(values, frames_point(place, step, oracle));
+        return values;
+    };
+    return group;
+}
+
+inline Group lammps_group(StatePoint const& point, Profile const profile) {
+    std::vector<Softness> all{{1e4, 10}, {1e4, 50}, {1e5, 20}, {1e6, 20}};
+    if (point.count < 1000 && point.packing_fraction > 0.1) all.push_back({1e7, 20});
+    if (point.count == 1000 && profile == Profile::quick) all = {{1e4, 20}};
+    std::string const deck = reference::lammps_deck("lammps_cube.in");
+    Group group{"lammps ", {}, 1, {}};
+    for (Softness const& soft : all) {
+        std::string const knob =
+            fmt::format("k={:g};n={:g}", soft.stiffness, soft.steps_per_contact);
+        group.what += (group.lines.empty() ? "" : ",") + knob;
+        group.lines.push_back({"lammps", knob});
+    }
+    group.what += fmt::format(" deck={:016x}", hash_of(deck));
+    group.measure = [=](std::uint64_t const seed) {
+        Scenery const place = scenery(point, seed);
+        Measurement values;
+        for (Point const& made : lammps_points(place, all, deck, oracle_of_steps(place)))
+            append(values, made);
+        return values;
+    };
+    return group;
+}
+
+/// All that is measured at a state point.
+inline std::vector<Group> groups(StatePoint const& point, Profile const profile) {
+    Group engine{"engine", {}, point.replicates, [=](std::uint64_t const seed) {
+                     return measure_engine(point, seed);
+                 }};
+    for (auto const& [precision, method] : engine_lines(point))
+        engine.lines.push_back({name_of(method), name_of(precision)});
+    return {engine, frames_group(point, profile), lammps_group(point, profile)};
 }
 
 } // namespace clack::validation::work_precision

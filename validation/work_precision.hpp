@@ -6,6 +6,7 @@
 #include "reference/horizon.hpp"
 #include "scheduling/collision_table.hpp"
 #include "simulation/epoch.hpp"
+#include "simulation/model_choice.hpp"
 #include "simulation/simulation.hpp"
 #include "validation/collision_prefix.hpp"
 #include "validation/error_growth.hpp"
@@ -17,11 +18,13 @@
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include <array>
+#include <map>
 
 namespace clack::validation::work_precision {
 
 using collision_prefix::matched;
 using collision_prefix::Partners;
+using collision_prefix::partners_of;
 
 constexpr double equilibration = 30; // collisions per ball
 constexpr double final_time = 2;     // mean free times: there errors of position are compared
@@ -55,7 +58,7 @@ inline std::vector<StatePoint> state_points(Profile const profile) {
     bool const full = profile == Profile::full;
     std::vector<StatePoint> points;
     for (double const packing_fraction : {0.05, 0.2, 0.4}) {
-        points.push_back({packing_fraction, 27, full ? 40 : 6, full || packing_fraction == 0.05});
+        points.push_back({packing_fraction, 27, full ? 40 : 5, full || packing_fraction == 0.05});
         points.push_back({packing_fraction, 100, full ? 20 : 3});
         points.push_back({packing_fraction, 1000, full ? 6 : 1});
     }
@@ -92,13 +95,6 @@ struct Run {
     double deepest_overlap = 0, energy_drift = 0; // at the end
 };
 
-inline Partners partners_of(MeetingRecorder const& recorder, Start const& start) {
-    Segment segment;
-    segment.start = start;
-    segment.meetings = recorder.meetings;
-    return collision_prefix::partners_of(segment);
-}
-
 /// Who meets whom, and how an error grows on the way where somebody asks.
 struct Recorder final : CollisionObserver {
     MeetingRecorder meetings;
@@ -121,7 +117,7 @@ inline Run run(Engine& engine, Scenery const& scenery, double const until,
     engine.advance({.time = time}, &recorder);
     run.places = exact_places(engine.checkpoint(), scenery.system, time);
     engine.advance({.time = std::max(until * scenery.mean_free_time, time)}, &recorder);
-    run.partners = partners_of(recorder.meetings, scenery.start);
+    run.partners = partners_of(recorder.meetings.meetings, scenery.system.count);
     run.deepest_overlap = engine.tallies().deepest_overlap;
     quad const drift = exact_square_speed(engine.checkpoint(), scenery.system) / energy - 1;
     run.energy_drift = std::abs(static_cast<double>(drift));
@@ -183,7 +179,7 @@ inline Run decimal_run(Scenery const& scenery, double const until, double const 
         run.places.col(at.numbers[static_cast<std::size_t>(i)]) =
             at[i].position(at.clock.offset).cast<quad>();
     simulation.advance({.time = until * scenery.mean_free_time}, observe);
-    run.partners = partners_of(recorder, scenery.start);
+    run.partners = partners_of(recorder.meetings, scenery.system.count);
     return run;
 }
 
@@ -210,7 +206,18 @@ struct Point {
     double limit = -1;                // what the horizon of this rounding unit can be at best: of
     double tangent_limit = -1;        // the exact motion of a rounded start, and by tangent space
 };
-constexpr std::size_t point_size = 8;
+constexpr std::array point_values{&Point::cost,    &Point::median,       &Point::largest,
+                                  &Point::horizon, &Point::overlap,      &Point::drift,
+                                  &Point::limit,   &Point::tangent_limit};
+
+/// A line of the chart: a method with its knob.
+struct Line {
+    std::string method, knob;
+};
+
+inline void append(Measurement& all, Point const& point) {
+    for (auto const value : point_values) all.push_back(point.*value);
+}
 
 inline Point compare(Run const& one, Run const& oracle) {
     auto const errors = distances(one.places, oracle.places);
@@ -241,6 +248,51 @@ inline Point point_of(StatePoint const& point, Scenery const& scenery, Precision
         matched(oracle.partners, run(*off_by_a_unit(scenery, unit, seed), scenery, until).partners);
     made.tangent_limit = growth.limit(unit, seed);
     return made;
+}
+
+/// Quad in the place of a type, and decimal numbers in that of the oracle.
+inline Point quad_point_of(StatePoint const& point, Scenery const& scenery,
+                           std::uint64_t const seed) {
+    double const until = followed(point, Precision::quadruple);
+    double const unit = reference::rounding_unit(Precision::quadruple);
+    Run const decimal = decimal_run(scenery, until, 0, seed);
+    ErrorGrowth growth = growth_of(scenery, seed);
+    Point made = compare(
+        run(scenery, Method::fast, Precision::quadruple, scenery.start, until, &growth), decimal);
+    made.limit = matched(decimal.partners, decimal_run(scenery, until, unit, seed).partners);
+    made.tangent_limit = growth.limit(unit, seed);
+    return made;
+}
+
+/// The engine's lines at a state point. The start of the table in quad alone would take seconds.
+inline std::vector<std::pair<Precision, Method>> engine_lines(StatePoint const& point) {
+    std::vector<std::pair<Precision, Method>> lines;
+    for (Precision const precision : precisions)
+        for (Method const method : methods)
+            if (method != Method::table || precision != Precision::quadruple || point.count < 1000)
+                lines.emplace_back(precision, method);
+    return lines;
+}
+
+/// All methods go the same way to the last bit, so the errors are those of `fast`.
+inline Measurement measure_engine(StatePoint const& point, std::uint64_t const seed) {
+    Scenery const place = scenery(point, seed);
+    Precision const finest = point.count < 1000 ? Precision::extended : Precision::double_;
+    ErrorGrowth growth = growth_of(place, seed);
+    Run const oracle = run(place, Method::fast, Precision::quadruple, place.start,
+                           followed(point, finest), &growth);
+    std::map<Precision, Point> of_type;
+    for (Precision const precision : precisions)
+        if (precision <= finest)
+            of_type[precision] = point_of(point, place, precision, oracle, growth, seed);
+    if (point.with_decimal) of_type[Precision::quadruple] = quad_point_of(point, place, seed);
+    Measurement values;
+    for (auto const& [precision, method] : engine_lines(point)) {
+        Point made = of_type[precision];
+        made.cost = cost(place, method, precision);
+        append(values, made);
+    }
+    return values;
 }
 
 } // namespace clack::validation::work_precision
