@@ -1,6 +1,6 @@
-# Compressibility factor of the fluid beside its equation of state; three ways to it as parts of its
-# collisional part; and residuals in standard errors. Carnahan and Starling's formula is a guide
-# line.
+# Compressibility factor of the fluid beside its equation of state; two ways to it as parts of its
+# collisional part, on the scale of their errors, with Schultz' fit; and residuals in standard errors
+# of all three ways. Carnahan and Starling's formula is a guide line.
 height = 9.4
 load 'paper/style.gp'
 
@@ -8,6 +8,8 @@ results = data . '/equation_of_state.csv'
 points = data . '/equation_of_state_infinite.csv'
 theory = data . '/equation_of_state_theory.csv'
 only(quantity, y) = strcol(2) eq quantity ? y : NaN
+stats results using (only('virial', 100 * $4 / ($5 - 1))) name 'error' nooutput
+widest = error_max
 
 set multiplot
 set xrange [0:0.52]
@@ -26,15 +28,17 @@ plot theory using 1:2 with lines ls 1 title 'modified Kolafa–Labík–Malijevs
 
 set tmargin at screen 0.53
 set bmargin at screen 0.34
-set yrange [-1.3:1.3]
-set ytics -1, 1
+set yrange [-6 * widest:6 * widest]
+set ytics 4 * widest
+set format y '%.1g'
 set ylabel 'deviation, %' offset 0.3, 0
 unset key
 plot 0 with lines ls 1, \
      theory using 1:(100 * ($3 - $2) / ($2 - 1)) with lines ls 3, \
+     theory using 1:(100 * ($4 - $2) / ($2 - 1)) with lines ls 6, \
      results using ($1 - 0.004):(only('virial', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 2 pt 7, \
-     results using 1:(only('rate', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 4 pt 6, \
-     results using ($1 + 0.004):(only('contact', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 5 pt 8
+     results using 1:(only('rate', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 4 pt 6
+set format y '%h'
 
 set tmargin at screen 0.31
 set bmargin at screen 1.1 / height
