@@ -44,13 +44,29 @@ void Canvases::warm_up(PixelSize window) {
 void Canvases::begin(Prepared prepared, PixelSize window, float fineness) {
     auto const start = std::chrono::steady_clock::now();
     auto const size = finer(window, fineness);
-    if (!next_ || !(next_->size == size)) next_ = std::make_unique<Canvas>(size);
+    take_canvas(size);
     next_fineness_ = fineness;
     glBindFramebuffer(GL_FRAMEBUFFER, next_->frame.name());
     drawing_.begin(std::move(prepared), size, fineness);
     glFinish(); // or the clearing would be done, and its time spent, with the first balls
     is_drawing_ = true;
     seconds_ = seconds_since(start);
+}
+
+void Canvases::take_canvas(PixelSize size) {
+    if (next_ && next_->size == size) return;
+    constexpr std::size_t spare_max = 4; // and the one shown: two of each of the finenesses in use
+    if (next_) spare_.push_back(std::move(next_));
+    auto const fitting =
+        std::find_if(spare_.begin(), spare_.end(),
+                     [&](std::unique_ptr<Canvas> const& canvas) { return canvas->size == size; });
+    if (fitting != spare_.end()) {
+        next_ = std::move(*fitting);
+        spare_.erase(fitting);
+        return;
+    }
+    if (spare_.size() > spare_max) spare_.erase(spare_.begin());
+    next_ = std::make_unique<Canvas>(size);
 }
 
 bool Canvases::go_on(std::chrono::duration<double> budget) {

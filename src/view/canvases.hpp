@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <memory>
+#include <vector>
 
 namespace clack::view {
 
@@ -15,7 +16,7 @@ constexpr float coarsest = 0.5f, finest = 2;
 /// The samples of a picture that is so fine.
 PixelSize finer(PixelSize window, float fineness);
 
-/// Two canvases: one is shown while the other is drawn. A large picture takes longer than the
+/// Canvases of which one is shown while the other is drawn. A large picture takes longer than the
 /// window may be deaf, so it is drawn in pieces.
 class Canvases {
 public:
@@ -40,8 +41,11 @@ public:
     std::size_t balls_drawn() const { return balls_drawn_; }
 
 private:
+    void take_canvas(PixelSize size);
+
     Drawing drawing_;
     std::unique_ptr<Canvas> shown_, next_;
+    std::vector<std::unique_ptr<Canvas>> spare_; // of other finenesses: to make one takes long
     float shown_fineness_ = 0, next_fineness_ = 0;
     bool is_drawing_ = false;
     double seconds_ = 0, seconds_of_last_ = 0;

@@ -170,24 +170,24 @@ void Live::trace(std::int64_t ball) {
     history_.trace(ball, {time(), now.positions.col(ball), now.velocities.col(ball)});
 }
 
-std::unique_ptr<Engine> Live::twin() const {
-    return make_engine(scene_.system, Method::automatic, scene_.precision, engine_->checkpoint());
-}
-
 /// A twin of the engine runs ahead and tells what it meets.
-std::optional<NextCollision> Live::next_collision(std::optional<std::int64_t> ball) {
-    if (!equilibrated_) return std::nullopt;
-    auto const ahead = twin();
-    NextOf next(ball);
-    // A ball's turn comes after some collisions of all others.
-    auto const count = static_cast<std::uint64_t>(system().count);
-    std::uint64_t const events_max = ball ? std::max<std::uint64_t>(20 * count, 10'000) : 100'000;
-    Goal goal;
-    goal.events = 16;
-    for (std::uint64_t events = 0; !next.found && events < events_max; events += goal.events) {
-        if (ahead->advance(goal, &next) == Stop::never) break;
-    }
-    return next.found;
+Source::Search Live::search(std::optional<std::int64_t> ball) {
+    if (!equilibrated_) return [] { return std::nullopt; };
+    return [ball, system = scene_.system, precision = scene_.precision,
+            now = engine_->checkpoint()]() -> std::optional<NextCollision> {
+        auto const ahead = make_engine(system, Method::automatic, precision, now);
+        NextOf next(ball);
+        // A ball's turn comes after some collisions of all others.
+        auto const count = static_cast<std::uint64_t>(system.count);
+        std::uint64_t const events_max =
+            ball ? std::max<std::uint64_t>(20 * count, 10'000) : 100'000;
+        Goal goal;
+        goal.events = 16;
+        for (std::uint64_t events = 0; !next.found && events < events_max; events += goal.events) {
+            if (ahead->advance(goal, &next) == Stop::never) break;
+        }
+        return next.found;
+    };
 }
 
 std::string Live::description() const {

@@ -29,7 +29,7 @@ public:
     Sample sample() const override;
     History const* history() const override { return &history_; }
     void trace(std::int64_t ball) override;
-    std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball) override;
+    Search search(std::optional<std::int64_t> ball) override;
     Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
     std::string description() const override;
     double preparation_share() const override;
@@ -48,7 +48,6 @@ private:
     void keep();
     void go_back_to(Kept const& kept);
     template <class Before> Kept const& latest_kept(Before const& before) const;
-    std::unique_ptr<Engine> twin() const;
 
     Scene scene_;
     std::unique_ptr<Engine> engine_;

@@ -49,6 +49,7 @@ Player::~Player() {
 void Player::begin_anew() {
     start_places_ = std::make_shared<Eigen::Matrix3Xd const>(source_->start_places());
     samples_.clear();
+    foresight_ = Foresight{};
     prepared_ = source_->preparation_share() >= 1;
     target_ = source_->time();
     arrived_ = true;
@@ -151,9 +152,6 @@ bool Player::take_task() {
     guarded(task);
     ++now_.tasks_done;
     asked_since_ = true; // what was asked for is shown at once
-    next_.reset();       // may be of another time
-    next_of_traced_.reset();
-    searched_at_.reset();
     target_ = source_->time();
     return true;
 }
@@ -163,6 +161,7 @@ void Player::work() {
         while (take_task()) {
         }
         refresh();
+        if (foresight_.has_news()) changed_ = asked_since_ = true;
         if (now_.playing == Playing::yes || !prepared_) {
             auto const before = now_.message;
             guarded([&] { move(); });
@@ -170,10 +169,8 @@ void Player::work() {
         }
         std::unique_lock lock(mutex_);
         if (closing_) return;
-        bool const search = owes_search_ && !asked_since_ && tasks_.empty();
-        if (search || (changed_ && (wanted_ || asked_since_))) {
+        if (changed_ && (wanted_ || asked_since_)) {
             lock.unlock();
-            if (search) search_ahead();
             publish();
             continue;
         }
@@ -238,48 +235,16 @@ Meter::Reached Player::reached() const {
     return {time, collisions_of(source_->sample())};
 }
 
-bool Player::is_past(std::optional<NextCollision> const& next) const {
-    return !next || next->time <= source_->time();
-}
-
 bool Player::should_look_ahead() const {
     constexpr std::int64_t while_playing = 3000, at_all = 200'000; // a blink of an eye each
     auto const count = source_->system().count;
     return count <= (now_.playing == Playing::yes ? while_playing : at_all);
 }
 
-/// Of many balls a search takes longer than a person should wait for the picture.
-Player::LookAhead Player::when_to_look() const {
-    constexpr std::int64_t few = 3000;
-    return source_->system().count <= few ? LookAhead::now : LookAhead::later;
-}
-
-void Player::search_ahead() {
-    owes_search_ = false;
-    auto const traced = source_->history() ? source_->history()->traced() : -1;
-    if (is_past(next_)) next_ = source_->next_collision(std::nullopt);
-    if (traced >= 0 && is_past(next_of_traced_)) next_of_traced_ = source_->next_collision(traced);
-    searched_at_ = source_->time();
-}
-
-void Player::look_ahead(Frame& frame) {
-    if (!should_look_ahead()) {
-        next_.reset();
-        next_of_traced_.reset();
-        owes_search_ = false;
-        return;
-    }
-    bool const due = is_past(next_) || (frame.traced >= 0 && is_past(next_of_traced_));
-    owes_search_ = due && searched_at_ != source_->time();
-    if (owes_search_ && when_to_look() == LookAhead::now) search_ahead();
-    if (!is_past(next_)) frame.next = next_;
-    if (frame.traced >= 0 && !is_past(next_of_traced_)) frame.next_of_traced = next_of_traced_;
-}
-
 void Player::publish() {
     changed_ = asked_since_ = false;
     Frame frame = frame_of(*source_, start_places_);
-    look_ahead(frame);
+    now_.settled = !should_look_ahead() || foresight_.tell(*source_, now_.tasks_done, frame);
     keep_sample();
     if (now_.playing == Playing::yes) {
         if (auto const rates = meter_.read(Clock::now(), reached())) now_.rates = *rates;
@@ -289,7 +254,6 @@ void Player::publish() {
     now_.last_time = source_->last_time();
     now_.description = source_->description();
     now_.remark = source_->remark();
-    now_.settled = !owes_search_;
     constexpr double physics_pause = 0.2; // [s]
     if (now_.playing == Playing::no ||
         seconds_between(last_physics_, Clock::now()) > physics_pause) {

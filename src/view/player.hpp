@@ -2,6 +2,7 @@
 // Plays a source on a thread of its own, so that the window always answers: it asks, and looks at
 // the latest frame whenever it likes.
 
+#include "view/foresight.hpp"
 #include "view/frame.hpp"
 #include "view/meter.hpp"
 #include "view/physics.hpp"
@@ -72,30 +73,23 @@ private:
     void guarded(Task const& task);
     void move();
     void refresh();
-    enum class LookAhead { now, later };
-    LookAhead when_to_look() const;
-    void look_ahead(Frame& frame);
-    void search_ahead();
     void begin_anew();
     void keep_sample();
     Meter::Reached reached() const;
     void publish();
     bool should_look_ahead() const;
-    bool is_past(std::optional<NextCollision> const& next) const;
 
     // Of the thread alone.
     std::unique_ptr<Source> source_;
     std::shared_ptr<Eigen::Matrix3Xd const> start_places_;
     Shown now_; // without its frame
-    std::optional<NextCollision> next_, next_of_traced_;
-    std::optional<double> searched_at_; // the time; where none was found none is looked for again
+    Foresight foresight_;
     std::vector<Sample> samples_;
     Meter meter_;
     Clock::time_point last_move_, last_physics_, last_refresh_, last_sample_;
     double target_ = 0;
     bool arrived_ = true; // as near to the target as the source can come
     bool changed_ = true, asked_since_ = false, prepared_ = false;
-    bool owes_search_ = false; // for the collisions to come
 
     std::uint64_t tasks_asked_ = 0; // of those who ask
 

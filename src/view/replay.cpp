@@ -222,6 +222,11 @@ std::optional<NextCollision> Replay::next_collision(std::optional<std::int64_t> 
     return std::nullopt;
 }
 
+/// The file has one reader, which is asked here and now.
+Source::Search Replay::search(std::optional<std::int64_t> ball) {
+    return [found = next_collision(ball)] { return found; };
+}
+
 std::string Replay::description() const {
     return fmt::format("{}, frame {} of {}{}{}", std::filesystem::path(path_).filename().string(),
                        frame_ + 1, frame_count_, has_events() ? ", every collision" : "",

@@ -31,7 +31,7 @@ public:
     Sample sample() const override { return sample_; }
     History const* history() const override { return has_events() ? &history_ : nullptr; }
     void trace(std::int64_t ball) override;
-    std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball) override;
+    Search search(std::optional<std::int64_t> ball) override;
     Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
     std::string description() const override;
     std::string remark() const override;
@@ -51,6 +51,7 @@ private:
     void fly_to(std::int64_t ball, double time);
     void take_event(Collision<double> event);
     Collision<double> const* event(std::size_t index);
+    std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball);
     void pass_frames();
     void rewind_to(std::size_t frame);
     Eigen::Vector3d wrapped(Eigen::Vector3d place) const;

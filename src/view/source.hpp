@@ -6,6 +6,7 @@
 #include "state/system.hpp"
 #include "view/history.hpp"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -48,8 +49,11 @@ public:
     virtual History const* history() const = 0;
     virtual void trace(std::int64_t ball) = 0;
 
-    /// The next collision of all balls, or of one of them; exact. None where it is not known.
-    virtual std::optional<NextCollision> next_collision(std::optional<std::int64_t> ball) = 0;
+    /// Finds the next collision of all balls, or of one of them; exact, as of now. None where it is
+    /// not known.
+    using Search = std::function<std::optional<NextCollision>()>;
+    /// A search that takes long may be done on any thread, and while the source goes on.
+    virtual Search search(std::optional<std::int64_t> ball) = 0;
 
     /// Sides of the start, for colours: where each ball was at first_time.
     virtual Eigen::Matrix3Xd const& start_places() const = 0;

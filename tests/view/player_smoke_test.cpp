@@ -68,8 +68,8 @@ public:
     Sample sample() const override { return {time_, {}, 0}; }
     History const* history() const override { return nullptr; }
     void trace(std::int64_t) override {}
-    std::optional<NextCollision> next_collision(std::optional<std::int64_t>) override {
-        return std::nullopt;
+    Search search(std::optional<std::int64_t>) override {
+        return [] { return std::nullopt; };
     }
     Eigen::Matrix3Xd const& start_places() const override { return places_; }
     std::string description() const override { return "made up"; }
