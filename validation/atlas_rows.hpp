@@ -174,9 +174,9 @@ private:
 };
 
 /// A cell as campaign and data keep it.
-constexpr std::array number_names{"outcome_code", "digits_lost",  "threshold_k",
-                                  "gross_from_k", "reached_k",    "absence_code",
-                                  "collisions",   "energy_drift", "deepest_overlap"};
+inline constexpr std::array number_names{"outcome_code", "digits_lost",  "threshold_k",
+                                         "gross_from_k", "reached_k",    "absence_code",
+                                         "collisions",   "energy_drift", "deepest_overlap"};
 inline Measurement numbers_of(Cell const& cell) {
     return {static_cast<double>(cell.worst),
             cell.digits,

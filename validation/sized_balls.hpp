@@ -41,30 +41,14 @@ template <class Real> struct DiameterOfEach : ElasticBalls<Real> {
         return earliest_wall(ball, cube);
     }
 
-    /// SteadyDiameter's, for pairs each with its own distance at contact.
+    /// SteadyDiameter's, for pairs each with its own distance at contact. It has no number for
+    /// "never" where its diameter is one a lane.
     ///   excess  of the two radii together, over the system's diameter
     template <class Number>
     [[gnu::always_inline]] Number contact_time(Pair<Number> const& p, Number const excess) const {
-        Number const zero{};
-        Number never = zero + std::numeric_limits<Real>::quiet_NaN();
-        Number const b = p.x * p.vx + p.y * p.vy + p.z * p.vz;
-        if constexpr (!is_lanes<Number>) {
-            if (!(b < 0)) return never;
-        }
-        Number const reach = excess + diameter, reach2 = reach * reach;
-        Number const c = p.x * p.x + p.y * p.y + p.z * p.z - reach2;
-        Number const speed2 = p.vx * p.vx + p.vy * p.vy + p.vz * p.vz;
-        Number const cross_x = p.y * p.vz - p.z * p.vy;
-        Number const cross_y = p.z * p.vx - p.x * p.vz;
-        Number const cross_z = p.x * p.vy - p.y * p.vx;
-        Number const cross2 = cross_x * cross_x + cross_y * cross_y + cross_z * cross_z;
-        Number const disc = select(c < reach2, b * b - speed2 * c, speed2 * reach2 - cross2);
-        if constexpr (!is_lanes<Number>) {
-            if (c > zero && disc < zero) return never;
-        }
-        Number const root = square_root(select(c > zero, disc, b * b));
-        Number const when = p.time + select(c > zero, c, zero) / (root - b);
-        return select(b < zero, when, never);
+        Number const zero{}, never = zero + std::numeric_limits<Real>::quiet_NaN();
+        Number const time = SteadyDiameter<Number>(excess + diameter).contact_time(p);
+        return select(p.x * p.vx + p.y * p.vy + p.z * p.vz < zero, time, never);
     }
 };
 
