@@ -1,0 +1,3 @@
+#pragma once
+// Stands elsewhere now.
+#include "validation/records/tables.hpp"
