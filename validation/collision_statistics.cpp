@@ -2,8 +2,6 @@
 
 #include "validation/collision_statistics.hpp"
 
-#include "validation/harness/experiment.hpp"
-
 namespace clack::validation {
 
 using namespace collision_statistics;
@@ -26,7 +24,6 @@ Csv histogram(std::vector<StatePoint> const& points,
     Csv csv({"count", "packing_fraction", abscissa, "density", "density_error", "density_theory"});
     for (std::size_t p = 0; p < points.size(); ++p) {
         for (std::size_t k = 0; k < bins; ++k) {
-            Estimate const density = mean_of(all[p], first + k);
             double const low = static_cast<double>(k) * width;
             // A bin's mean: the law's survival from a random instant has the flight's as its slope.
             using reference::free_flights::time_density;
@@ -35,8 +32,8 @@ Csv histogram(std::vector<StatePoint> const& points,
                                          time_density(low + width)) /
                                             6
                                       : 1;
-            csv.row({cell(points[p].count), cell(points[p].packing_fraction), cell(low + width / 2),
-                     cell(density.value), cell(density.error), cell(theory)});
+            csv.row(points[p].count, points[p].packing_fraction, low + width / 2,
+                    mean_of(all[p], first + k), theory);
         }
     }
     return csv;

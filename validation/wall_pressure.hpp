@@ -146,8 +146,7 @@ constexpr Margins margins(Profile const profile) {
             .two_collisions = 5e-4,
             .extrapolated = 1e-2};
 }
-/// Relative error of the terms of theory together.
-constexpr double theory_error = 1e-3;
+constexpr double theory_error = 1e-3; // relative, of the terms of theory together
 
 inline void enter_two(Ledger& ledger, StatePoint const& point,
                       std::vector<Measurement> const& replicates, Margins const& margins) {
@@ -178,12 +177,12 @@ inline void enter_many(Ledger& ledger, StatePoint const& point,
         ledger.compare(state, quantity,
                        {.measured = mean_of(replicates, difference), .margin = part * pressure});
     };
-    add(
-        {"hits_minus_impulse", "hits $-$ impulses"},
-        [](Measurement const& m) { return m[by_hits] - m[by_impulse]; }, margins.many);
-    add(
-        {"profile_minus_impulse", "profile $-$ impulses"},
-        [](Measurement const& m) { return m[by_profile] - m[by_impulse]; }, margins.extrapolated);
+    auto const less_impulse = [](Value const value) {
+        return [=](Measurement const& m) { return m[value] - m[by_impulse]; };
+    };
+    add({"hits_minus_impulse", "hits $-$ impulses"}, less_impulse(by_hits), margins.many);
+    add({"profile_minus_impulse", "profile $-$ impulses"}, less_impulse(by_profile),
+        margins.extrapolated);
     add(
         {"middle_minus_bulk", "profile $-$ $P(\\rho_{\\mathrm b})$"},
         [](Measurement const& m) {
