@@ -16,9 +16,11 @@ public:
 
     void ask(Clock::time_point now) {
         waiting_.push_back(now);
+        latest_ = now;
         ++asked_;
     }
     std::uint64_t asked() const { return asked_; }
+    Clock::time_point latest() const { return latest_; } // that something was asked
 
     /// The window now shows what the first so many asked for.
     void answer(std::uint64_t shown, Clock::time_point now) {
@@ -32,6 +34,7 @@ public:
 
 private:
     std::deque<Clock::time_point> waiting_;
+    Clock::time_point latest_;
     std::uint64_t asked_ = 0;
     double longest_ = 0;
 };

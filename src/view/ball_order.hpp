@@ -18,6 +18,10 @@ struct VisibleBalls {
     std::vector<DrawnBall> near, dots;
 };
 
+/// A draft leaves out some of the farther balls when they are very many: it stands for a blink,
+/// while a hand moves.
+enum class Detail { whole, draft };
+
 /// A picture on its way to the graphics card.
 struct Prepared {
     Picture picture; // its balls are in `visible`
@@ -28,8 +32,10 @@ struct Prepared {
 /// Leaves out what is outside the picture, cut away, or hidden behind nearer balls.
 class BallOrder {
 public:
-    VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size);
-    Prepared prepare(Picture picture, Camera const& camera, PixelSize size);
+    VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size,
+                         Detail detail = Detail::whole);
+    Prepared prepare(Picture picture, Camera const& camera, PixelSize size,
+                     Detail detail = Detail::whole);
 
     /// Radius below which a ball is a dot  [pixels]
     static constexpr float dot_radius = 3;

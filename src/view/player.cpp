@@ -242,7 +242,10 @@ bool Player::should_look_ahead() const {
 }
 
 void Player::publish() {
-    changed_ = asked_since_ = false;
+    constexpr std::int64_t few = 3000;
+    bool const in_a_hurry = asked_since_ && source_->system().count > few;
+    changed_ = in_a_hurry; // more will be told in the next
+    asked_since_ = false;
     Frame frame = frame_of(*source_, start_places_);
     now_.settled = !should_look_ahead() || foresight_.tell(*source_, now_.tasks_done, frame);
     keep_sample();
@@ -255,8 +258,8 @@ void Player::publish() {
     now_.description = source_->description();
     now_.remark = source_->remark();
     constexpr double physics_pause = 0.2; // [s]
-    if (now_.playing == Playing::no ||
-        seconds_between(last_physics_, Clock::now()) > physics_pause) {
+    if (!in_a_hurry && (now_.playing == Playing::no ||
+                        seconds_between(last_physics_, Clock::now()) > physics_pause)) {
         now_.physics = physics_of(frame, samples_);
         last_physics_ = Clock::now();
     }

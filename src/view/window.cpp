@@ -66,7 +66,8 @@ public:
             if (news || is_panel_due(begin)) compose();
             Seconds const passed = Clock::now() - begin;
             deafness_ = std::max(deafness_, passed.count());
-            if (!is_drawing()) window_.wait_for_events(frame_time - passed.count());
+            if (!is_drawing())
+                window_.wait_for_events(is_asked() ? short_wait : frame_time - passed.count());
         }
     }
 
@@ -87,7 +88,7 @@ public:
         session_.camera.zoom_by(std::pow(1.1f, notches));
     }
     bool is_up_to_date() const override {
-        if (!whole_ || answers_.asked() > answered_) return false;
+        if (!whole_ || is_asked() || !save_to_.empty()) return false;
         return session_.shown->playing == Playing::yes || whole_->frame == session_.shown->number;
     }
     void save(std::string const& path) override { save_to_ = path; }
@@ -96,7 +97,7 @@ public:
     double drawing_seconds() const override { return canvases_.seconds_of_last(); }
 
 private:
-    static constexpr double idle_wait = 0.03, frame_time = 1.0 / 60; // [s]
+    static constexpr double idle_wait = 0.03, short_wait = 0.002, frame_time = 1.0 / 60; // [s]
 
     // What a person does.
     void on_key(int code) override {
@@ -119,6 +120,7 @@ private:
     }
     void on_scroll(float notches) override { scroll(notches); }
 
+    bool is_asked() const { return answers_.asked() > answered_; }
     bool is_drawing() const { return canvases_.is_drawing() || prepared_.valid(); }
     bool is_busy() const {
         return is_drawing() || visit_ || session_.shown->playing == Playing::yes ||
@@ -144,17 +146,20 @@ private:
 
     /// A new picture where there is news; a finer one where there is none. True when one is whole.
     bool draw_balls() {
-        constexpr Seconds budget(0.012), preparation(0.004);
-        leave_what_is_outdated();
+        constexpr Seconds budget(0.012), preparation(0.004), at_rest(0.15);
+        if (canvases_.is_drawing() && is_outdated()) canvases_.leave();
         if (prepared_.valid()) {
             if (prepared_.wait_for(preparation) == std::future_status::timeout) return false;
-            canvases_.begin(prepared_.get(), under_way_.chosen.size, under_way_.fineness);
+            auto prepared = prepared_.get();
+            if (is_outdated()) return false;
+            canvases_.begin(std::move(prepared), under_way_.chosen.size, under_way_.fineness);
             if (canvases_.seconds_so_far() > budget.count() / 2) return false; // made a canvas
         } else if (!canvases_.is_drawing()) {
             auto next = wanted();
             bool const news = !whole_ || !whole_->shows_same(next);
             if (!news && canvases_.shown_fineness() >= finest) return false;
-            bool const by_hand = !whole_ || !(whole_->chosen == next.chosen);
+            bool const by_hand = is_asked() || Clock::now() - answers_.latest() < at_rest;
+            if (by_hand && !news) return false;
             next.fineness = by_hand ? fineness_.for_hand() : fineness_.for_time();
             if (!news) next.fineness = finest;
             under_way_ = next;
@@ -168,9 +173,10 @@ private:
     }
 
     /// A fine picture that a hand has made outdated would only be in the way of the next.
-    void leave_what_is_outdated() {
-        if (!canvases_.is_drawing() || under_way_.fineness <= fineness_.for_hand()) return;
-        if (!(under_way_.chosen == wanted().chosen)) canvases_.leave();
+    bool is_outdated() const {
+        auto const now = wanted();
+        return under_way_.fineness > fineness_.for_hand() &&
+               (!(under_way_.chosen == now.chosen) || under_way_.asked < now.asked);
     }
 
     /// Colours and order of many balls take a moment, in which the window is to answer.
@@ -183,10 +189,12 @@ private:
         constexpr std::int64_t few = 3000;
         auto const policy =
             session_.shown->frame.system.count <= few ? std::launch::deferred : std::launch::async;
-        prepared_ = std::async(policy, [this, look, samples = finer(size, under_way_.fineness),
-                                        shown = session_.shown, camera = session_.camera] {
-            return order_.prepare(picture_of(shown->frame, look), camera, samples);
-        });
+        auto const detail = under_way_.fineness <= coarsest ? Detail::draft : Detail::whole;
+        prepared_ =
+            std::async(policy, [this, look, detail, samples = finer(size, under_way_.fineness),
+                                shown = session_.shown, camera = session_.camera] {
+                return order_.prepare(picture_of(shown->frame, look), camera, samples, detail);
+            });
         if (policy == std::launch::deferred) prepared_.wait();
     }
 
@@ -204,12 +212,18 @@ private:
         return std::max(wait, 1e-12);
     }
 
+    /// A draft is nothing to keep.
+    bool is_saving() const {
+        bool const playing = session_.shown->playing == Playing::yes;
+        return !save_to_.empty() && whole_ && whole_->fineness >= (playing ? 1 : finest);
+    }
+
     /// The panel takes as long to draw as the balls of a small scene: at most so often, unless
     /// somebody is at it.
     bool is_panel_due(Clock::time_point now) const {
-        constexpr Seconds pause(0.1);
-        return window_.was_touched() || !save_to_.empty() || now - composed_ > pause ||
-               answers_.asked() > answered_;
+        constexpr Seconds pause(0.1), pause_in_use(0.03);
+        bool const in_use = window_.was_touched() || is_asked();
+        return is_saving() || now - composed_ > (in_use ? pause_in_use : pause);
     }
 
     void compose() {
@@ -218,7 +232,7 @@ private:
         window_.begin_panel();
         draw_panel(session_, {canvases_.seconds_of_last(), canvases_.balls_drawn()});
         window_.end_panel();
-        if (!save_to_.empty()) {
+        if (is_saving()) {
             write_png(save_to_, read_pixels(window_.size(), 1));
             save_to_.clear();
         }

@@ -88,6 +88,25 @@ BOOST_AUTO_TEST_CASE(each_ray_of_sight_meets_the_same_ball_first_in_order_as_in_
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_draft_has_the_nearest_balls_and_some_of_the_others) {
+    Picture many;
+    many.radius = 0.001f;
+    for (int k = 0; k < 50 * 50 * 50; ++k) {
+        auto const at = [](int step) { return (static_cast<float>(step) + 0.5f) / 50; };
+        many.balls.push_back({at(k % 50), at(k / 50 % 50), at(k / 2500), {}, 0});
+    }
+    Camera camera;
+    PixelSize const size{640, 480};
+    camera.fit(size);
+    auto const whole = BallOrder().visible(many, camera, size).dots;
+    auto const draft = BallOrder().visible(many, camera, size, Detail::draft).dots;
+    BOOST_TEST(whole.size() > 100'000u);
+    BOOST_TEST(draft.size() < 35'000u);
+    BOOST_TEST(draft.size() > 20'000u);
+    for (std::size_t k = 0; k < 10'000; ++k) BOOST_REQUIRE(draft[k].x == whole[k].x);
+    BOOST_TEST(draft.back().x != whole[draft.size() - 1].x);
+}
+
 BOOST_AUTO_TEST_CASE(small_balls_are_dots) {
     auto picture = made_up_picture();
     Camera camera;
