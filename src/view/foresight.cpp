@@ -6,13 +6,6 @@
 
 namespace clack::view {
 
-namespace {
-
-/// Of more balls a search takes longer than a person should wait for the picture.
-constexpr std::int64_t few = 3000;
-
-} // namespace
-
 bool Foresight::has_news() {
     if (!search_.valid() ||
         search_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout)
@@ -37,7 +30,8 @@ void Foresight::begin(Source& source, Found const& wanted) {
         bool const known = same && found_.traced == wanted.traced;
         of_traced = search(source, wanted.traced, known ? found_.next_of_traced : std::nullopt);
     }
-    auto const policy = source.system().count <= few ? std::launch::deferred : std::launch::async;
+    auto const policy =
+        source.system().count <= few_balls ? std::launch::deferred : std::launch::async;
     search_ = std::async(policy, [found = wanted, of_all = std::move(of_all),
                                   of_traced = std::move(of_traced)]() mutable {
         try {

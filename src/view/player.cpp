@@ -236,14 +236,13 @@ Meter::Reached Player::reached() const {
 }
 
 bool Player::should_look_ahead() const {
-    constexpr std::int64_t while_playing = 3000, at_all = 200'000; // a blink of an eye each
+    constexpr std::int64_t at_all = 200'000;
     auto const count = source_->system().count;
-    return count <= (now_.playing == Playing::yes ? while_playing : at_all);
+    return count <= (now_.playing == Playing::yes ? few_balls : at_all);
 }
 
 void Player::publish() {
-    constexpr std::int64_t few = 3000;
-    bool const in_a_hurry = asked_since_ && source_->system().count > few;
+    bool const in_a_hurry = asked_since_ && source_->system().count > few_balls;
     changed_ = in_a_hurry; // more will be told in the next
     asked_since_ = false;
     Frame frame = frame_of(*source_, start_places_);

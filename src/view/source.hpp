@@ -14,6 +14,10 @@
 
 namespace clack::view {
 
+/// Of so many balls all that a picture needs is done in a few milliseconds; of more, what may wait
+/// is done later or on another thread, so that the window answers.
+constexpr std::int64_t few_balls = 3000;
+
 /// A collision that will happen. `second` is -1 for a wall.
 struct NextCollision {
     double time;

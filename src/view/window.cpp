@@ -186,9 +186,8 @@ private:
         session_.player.want_news(); // while this picture is drawn
         auto const& size = under_way_.chosen.size;
         session_.camera.fit(size, overhang(session_.shown->frame.system));
-        constexpr std::int64_t few = 3000;
-        auto const policy =
-            session_.shown->frame.system.count <= few ? std::launch::deferred : std::launch::async;
+        auto const policy = session_.shown->frame.system.count <= few_balls ? std::launch::deferred
+                                                                            : std::launch::async;
         auto const detail = under_way_.fineness <= coarsest ? Detail::draft : Detail::whole;
         prepared_ =
             std::async(policy, [this, look, detail, samples = finer(size, under_way_.fineness),
