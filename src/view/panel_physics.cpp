@@ -14,8 +14,7 @@ namespace {
 
 constexpr ImU32 bar_colour = IM_COL32(86, 180, 233, 160),
                 exact_colour = IM_COL32(255, 255, 255, 255),
-                maxwell_colour = IM_COL32(230, 159, 0, 255),
-                axis_colour = IM_COL32(150, 150, 150, 255);
+                maxwell_colour = IM_COL32(230, 159, 0, 255);
 
 void curve(std::vector<float> const& values, float top, ImVec2 origin, ImVec2 size, ImU32 colour,
            float width) {

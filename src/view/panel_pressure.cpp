@@ -77,7 +77,6 @@ void draw_theory(Chart const& chart, Estimate const& theory) {
 
 /// Numbers left of the chart and below it.
 void draw_axes(Chart const& chart) {
-    constexpr ImU32 axis_colour = IM_COL32(150, 150, 150, 255);
     ImVec2 const corner(chart.origin.x + chart.size.x, chart.origin.y + chart.size.y);
     auto* const list = ImGui::GetWindowDrawList();
     list->AddRect(chart.origin, corner, axis_colour);

@@ -1,5 +1,5 @@
 #pragma once
-// One line of the panel.
+// What the parts of the panel are written with.
 
 #include "view/picture.hpp"
 
@@ -8,6 +8,8 @@
 #include <string>
 
 namespace clack::view {
+
+constexpr ImU32 axis_colour = IM_COL32(150, 150, 150, 255); // of charts
 
 inline void text(std::string const& line) { ImGui::TextUnformatted(line.c_str()); }
 
