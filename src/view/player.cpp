@@ -197,7 +197,7 @@ void Player::move() {
     } while (!arrived_ && seconds_between(begin, Clock::now()) < budget);
     meter_.add_engine_seconds(cpu_seconds() - cpu_begin);
     if (!prepared_ && source_->preparation_share() >= 1) begin_anew();
-    constexpr double sample_pause = 0.02; // [s]: Z needs many, however seldom frames are drawn
+    constexpr double sample_pause = 0.05; // [s]: Z needs many, however seldom frames are drawn
     if (seconds_between(last_sample_, Clock::now()) > sample_pause) keep_sample();
     if (source_->time() >= source_->last_time() && !source_->may_grow()) now_.playing = Playing::no;
 }
