@@ -2,7 +2,7 @@
 // What the failure atlas asks of every method alike: the balls at a few moments, and whom they met.
 
 #include "validation/atlas_problem.hpp"
-#include "validation/harness/worse.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

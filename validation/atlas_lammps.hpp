@@ -6,7 +6,7 @@
 #include "reference/soft_balls.hpp"
 #include "validation/atlas_checks.hpp"
 
-#include "validation/harness/seeds.hpp"
+#include "validation/records/campaign.hpp"
 
 #include <fmt/format.h>
 

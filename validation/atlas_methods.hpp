@@ -6,7 +6,7 @@
 #include "reference/textbook_engines.hpp"
 #include "simulation/model_choice.hpp"
 #include "validation/atlas_checks.hpp"
-#include "validation/harness/child_process.hpp"
+#include "validation/child_process.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "simulation/engine.hpp"
 #include "simulation/epoch.hpp"
 #include "state/errors.hpp"
-#include "validation/harness/lattice_start.hpp"
+#include "validation/lattice_start.hpp"
 
 #include <array>
 #include <functional>

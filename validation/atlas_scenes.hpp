@@ -2,7 +2,7 @@
 // The scenes of the failure atlas: each has a parameter that makes it harder.
 
 #include "validation/atlas_few_balls.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/experiment.hpp"
 
 #include <numbers>
 #include <string>

@@ -2,7 +2,7 @@
 // The failure atlas as the report shows it: a table of thresholds, and ties in words.
 
 #include "validation/atlas_rows.hpp"
-#include "validation/harness/latex.hpp"
+#include "validation/records/tables.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,9 +2,8 @@
 // How many collisions soft and hard balls have in common before they part: the second half of
 // trajectories_vs_lammps.
 
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/options.hpp"
-#include "validation/harness/seeds.hpp"
+#include "validation/harness/experiment.hpp"
+#include "validation/records/campaign.hpp"
 #include "validation/soft_runs.hpp"
 
 #include <fmt/format.h>

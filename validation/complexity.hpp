@@ -3,13 +3,12 @@
 // powers that it should follow.
 
 #include "simulation/model_choice.hpp"
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/engine_maker.hpp"
-#include "validation/harness/options.hpp"
-#include "validation/harness/processor_time.hpp"
-#include "validation/harness/ratio.hpp"
-#include "validation/harness/straight_line.hpp"
-#include "validation/harness/verdict.hpp"
+#include "validation/harness/experiment.hpp"
+#include "validation/mutants/engine_maker.hpp"
+#include "validation/records/campaign.hpp"
+#include "validation/statistics/estimate.hpp"
+#include "validation/statistics/verdict.hpp"
+#include "validation/timing.hpp"
 
 #include <fmt/format.h>
 

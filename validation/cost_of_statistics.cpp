@@ -4,7 +4,7 @@
 #include "validation/cost_of_statistics.hpp"
 
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/straight_line.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,9 +3,9 @@
 
 #include "observables/pressure.hpp"
 #include "reference/frame_stepping.hpp"
-#include "validation/harness/processor_time.hpp"
 #include "validation/pressure_vs_lammps.hpp"
 #include "validation/stepped_runs.hpp"
+#include "validation/timing.hpp"
 
 namespace clack::validation::cost_of_statistics {
 

@@ -4,9 +4,9 @@
 #include "observables/tangent_vector.hpp"
 #include "reference/lyapunov_exponent.hpp"
 #include "validation/exact_places.hpp"
-#include "validation/harness/engine_maker.hpp"
-#include "validation/harness/lattice_start.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/lattice_start.hpp"
+#include "validation/mutants/engine_maker.hpp"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 #include "reference/lammps.hpp"
 #include "reference/lammps_files.hpp"
 #include "reference/soft_balls.hpp"
-#include "validation/harness/engine_maker.hpp"
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/seeds.hpp"
+#include "validation/mutants/engine_maker.hpp"
+#include "validation/records/campaign.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

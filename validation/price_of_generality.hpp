@@ -9,10 +9,10 @@
 #include "simulation/epoch.hpp"
 #include "simulation/model_choice.hpp"
 #include "state/errors.hpp"
-#include "validation/harness/engine_maker.hpp"
-#include "validation/harness/lattice_start.hpp"
 #include "validation/harness/ledger.hpp"
 #include "validation/ingredients.hpp"
+#include "validation/lattice_start.hpp"
+#include "validation/mutants/engine_maker.hpp"
 #include "validation/sized_balls.hpp"
 #include "validation/timed_runs.hpp"
 

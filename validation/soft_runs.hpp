@@ -11,7 +11,7 @@
 #include "scheduling/binary_heap.hpp"
 #include "simulation/epoch.hpp"
 #include "simulation/simulation.hpp"
-#include "validation/harness/engine_maker.hpp"
+#include "validation/mutants/engine_maker.hpp"
 #include "validation/soft_segments.hpp"
 #include "validation/softened_balls.hpp"
 

@@ -4,9 +4,9 @@
 
 #include "simulation/model_choice.hpp"
 #include "state/errors.hpp"
-#include "validation/harness/engine_maker.hpp"
-#include "validation/harness/lattice_start.hpp"
-#include "validation/harness/options.hpp"
+#include "validation/harness/experiment.hpp"
+#include "validation/lattice_start.hpp"
+#include "validation/mutants/engine_maker.hpp"
 #include "validation/speed_parts.hpp"
 #include "validation/speed_peer.hpp"
 #include "validation/timed_runs.hpp"

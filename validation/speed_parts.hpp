@@ -10,7 +10,7 @@
 #include "scheduling/calendar.hpp"
 #include "scheduling/collision_table.hpp"
 #include "simulation/build_engine.hpp"
-#include "validation/harness/processor_time.hpp"
+#include "validation/timing.hpp"
 
 #include <array>
 #include <atomic>

@@ -2,9 +2,8 @@
 // What the experiments on speed have in common: cubes of balls, and runs that are timed in turn.
 
 #include "simulation/engine.hpp"
-#include "validation/harness/campaign.hpp"
-#include "validation/harness/processor_time.hpp"
-#include "validation/harness/ratio.hpp"
+#include "validation/records/campaign.hpp"
+#include "validation/timing.hpp"
 
 #include <cmath>
 #include <memory>

@@ -2,9 +2,9 @@
 // Trajectories beside those of soft balls: state points, one measurement, and what it should give.
 
 #include "validation/harness/ledger.hpp"
-#include "validation/harness/seeds.hpp"
-#include "validation/harness/straight_line.hpp"
+#include "validation/records/campaign.hpp"
 #include "validation/soft_runs.hpp"
+#include "validation/statistics/estimate.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

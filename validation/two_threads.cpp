@@ -1,7 +1,7 @@
 // Does a second thread that reads ahead leave every bit alone, and how much sooner is a run done?
 
-#include "validation/harness/lattice_start.hpp"
 #include "validation/harness/ledger.hpp"
+#include "validation/lattice_start.hpp"
 #include "validation/timed_runs.hpp"
 
 #include <fmt/format.h>

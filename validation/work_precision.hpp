@@ -11,9 +11,9 @@
 #include "validation/collision_prefix.hpp"
 #include "validation/error_growth.hpp"
 #include "validation/exact_places.hpp"
-#include "validation/harness/engine_maker.hpp"
-#include "validation/harness/lattice_start.hpp"
-#include "validation/harness/processor_time.hpp"
+#include "validation/lattice_start.hpp"
+#include "validation/mutants/engine_maker.hpp"
+#include "validation/timing.hpp"
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
 

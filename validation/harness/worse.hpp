@@ -1,3 +1,0 @@
-#pragma once
-// Stands elsewhere now.
-#include "validation/statistics/estimate.hpp"
