@@ -18,10 +18,10 @@ struct StatePoint : PeriodicRun {
 
 /// Collisions after which the 95 % error of Z is 4e-5 of it, which is what the best published table
 /// claims. The error times the root of the collisions, as the quick profile measured it, is 0.43 at
-/// packing fraction 0.05, 1.1 at 0.20 and 2.4 at 0.40; a little more, since few replicates are no
-/// normal law.
+/// packing fraction 0.05, 1.1 at 0.20 and 2.4 at 0.40 for a normal law; a little more, since few
+/// replicates have none.
 inline double collisions_needed(double const packing_fraction) {
-    return std::pow((0.35 + 5.2 * packing_fraction) / 4e-5, 2);
+    return std::pow((0.45 + 5.2 * packing_fraction) / 4e-5, 2);
 }
 
 /// The fluid from dilute to just below freezing (packing fraction 0.492). Few balls where that is
