@@ -21,64 +21,53 @@ Question const question{
 
 namespace {
 
-/// What is measured, from the campaign as far as it has it; what stays undecided, again.
-std::vector<Found> measured(Experiment& experiment) {
-    std::string const peer_command = peer_of_environment();
-    std::string with_peer = peer_command.empty() ? "" : " peer=" + peer_command;
-    std::replace(with_peer.begin(), with_peer.end(), '|', ' '); // which ends a state point's text
-    std::vector<Found> all;
-    for (Point const& point : points(experiment.profile())) all.push_back({point, {}});
-    measure_until_decided(
-        all.size(),
-        [&](std::size_t const k, int const times) {
-            Point const& point = all[k].point;
-            all[k].replicates = experiment.campaign().replicates(
-                point.text() + with_peer, times * replicates,
-                [&](std::uint64_t const seed) { return measure(point, seed, peer_command); });
-        },
-        [&] { return undecided(all); });
-    return all;
+/// Of a collision.
+std::vector<std::string> cycles_of(Found const& found, std::size_t const b, std::size_t const r) {
+    static double const frequency = cycles_per_second();
+    double const cycles = frequency / found.rate(b, r).value;
+    std::vector<std::string> cells{fmt::format("{:.0f}", cycles)};
+    for (std::size_t part = first_part; part < value_count; ++part)
+        cells.push_back(fmt::format("{:.0f}", cycles * found.mean(b, r, part)));
+    return cells;
 }
 
 Csv rates_of(std::vector<Found> const& all) {
-    Csv csv({"boundary", "count", "packing_fraction", "method", "rate_per_s", "rate_error_per_s",
-             "over_heap", "over_heap_error"});
-    for (Found const& found : all) {
-        for (std::size_t b = 0; b < boundaries.size(); ++b) {
+    std::vector<std::string> columns{
+        "boundary",         "count",     "packing_fraction", "method",         "rate_per_s",
+        "rate_error_per_s", "over_heap", "over_heap_error",  "bytes_per_ball", "cycles"};
+    for (char const* const part : part_names) columns.push_back(std::string("cycles_") + part);
+    Csv csv(columns);
+    for (Found const& found : all)
+        for (std::size_t b = 0; b < boundaries.size(); ++b)
             for (std::size_t r = 0; r < runners.size(); ++r) {
                 if (!found.has(b, r)) continue;
                 Estimate const rate = found.rate(b, r), faster = found.over(b, r, b, heap);
                 auto cells = found.state(b);
-                cells.insert(cells.end(), {runners[r], cell(rate.value), cell(rate.error),
-                                           cell(faster.value), cell(faster.error)});
+                cells.insert(cells.end(),
+                             {runners[r], cell(rate.value), cell(rate.error), cell(faster.value),
+                              cell(faster.error), cell(found.mean(b, r, bytes))});
+                std::ranges::copy(cycles_of(found, b, r), std::back_inserter(cells));
                 csv.row(cells);
             }
-        }
-    }
     return csv;
 }
 
-/// Where the time of a collision goes, heap and fast beside each other, among `not_small` balls.
+/// Where the cycles of a collision go, heap and fast beside each other, among `not_small` balls.
 std::string parts_of(std::vector<Found> const& all) {
     std::vector<std::vector<std::string>> rows;
     for (Found const& found : all) {
         if (found.point.count != not_small) continue;
-        std::size_t place = details;
         for (std::size_t const method : {heap, fast}) {
-            double const nanoseconds = 1e9 / found.rate(in_periodic, method).value;
-            std::vector<std::string> row{
-                fmt::format("{:g}", found.point.packing_fraction),
-                fmt::format("\\texttt{{{}}}", runners[method]),
-                fmt::format("{:.0f}", mean_of(found.replicates, place++).value)};
-            for (std::size_t part = 0; part < part_count; ++part)
-                row.push_back(
-                    fmt::format("{:.0f}", nanoseconds * mean_of(found.replicates, place++).value));
-            rows.push_back(row);
+            rows.push_back({fmt::format("{:g}", found.point.packing_fraction),
+                            fmt::format("\\texttt{{{}}}", runners[method]),
+                            fmt::format("{:.0f}", found.mean(in_periodic, method, bytes))});
+            std::ranges::copy(cycles_of(found, in_periodic, method),
+                              std::back_inserter(rows.back()));
         }
     }
-    std::vector<std::string> head{"$\\eta$", "method", "B/ball"};
+    std::vector<std::string> head{"$\\eta$", "method", "B/ball", "all"};
     head.insert(head.end(), part_names.begin(), part_names.end());
-    return tabular("rlrrrrrr", head, rows);
+    return tabular("rlrrrrrrr", head, rows);
 }
 
 } // namespace

@@ -38,6 +38,7 @@ struct Point {
     double equilibration;           // collisions per ball before anything is timed
     std::uint64_t collisions;       // timed, of each method but the table
     std::uint64_t table_collisions; // 0 where the table would take too long
+    bool watched = false;           // to see where the time goes; in the periodic cube
 
     std::string text() const {
         return fmt::format("count={} packing_fraction={}", count, packing_fraction);
@@ -67,19 +68,20 @@ inline std::vector<Point> points(Profile const profile) {
                            .equilibration = count <= well ? 20.0 : 5.0,
                            .collisions = full ? std::max<std::uint64_t>(100'000, balls)
                                               : std::max<std::uint64_t>(6'000, balls / 4),
-                           .table_collisions = count <= table_largest ? pairs / balls : 0});
+                           .table_collisions = count <= table_largest ? pairs / balls : 0,
+                           .watched = full || count == not_small});
         }
     }
     return all;
 }
 
-/// What one replicate measures, in this order: the processor time of a collision of each runner in
-/// each container, not a number where it did not run; of the heap and of fast among `not_small`
-/// periodic balls the memory per ball and where the time goes.
-constexpr std::size_t place_of(std::size_t const boundary, std::size_t const runner) {
-    return boundary * runners.size() + runner;
+/// What one replicate measures of each runner in each container, not a number where it did not: the
+/// processor time of a collision, the memory per ball, and which shares of the time its parts take.
+enum Value : std::size_t { seconds, bytes, first_part, value_count = first_part + part_count };
+constexpr std::size_t place_of(std::size_t const boundary, std::size_t const runner,
+                               std::size_t const value = seconds) {
+    return (boundary * runners.size() + runner) * value_count + value;
 }
-constexpr std::size_t details = place_of(boundaries.size(), 0);
 
 /// Balls in equilibrium, for all methods to start from.
 inline Start equilibrated(Point const& point, std::size_t const boundary,
@@ -136,7 +138,7 @@ inline Measurement measure(Point const& point, std::uint64_t const seed,
     std::vector<Start> starts;
     for (std::size_t b = 0; b < boundaries.size(); ++b)
         starts.push_back(equilibrated(point, b, seed));
-    Measurement all(details, std::numeric_limits<double>::quiet_NaN());
+    Measurement all(place_of(boundaries.size(), 0), std::numeric_limits<double>::quiet_NaN());
     auto runs = runs_of(point, starts, make);
     for (std::uint64_t slice = 0; slice < Run::slices; ++slice) {
         for (Run& run : runs) run.seconds += run.timed.go(run.slice);
@@ -149,13 +151,13 @@ inline Measurement measure(Point const& point, std::uint64_t const seed,
     for (Run const& run : runs) {
         all[place_of(run.boundary, run.method)] =
             run.seconds / static_cast<double>(Run::slices * run.slice);
-        if (run.boundary != in_periodic || run.method == table || point.count != not_small)
-            continue;
-        all.push_back(static_cast<double>(run.timed.engine->bytes()) /
-                      static_cast<double>(point.count));
+        all[place_of(run.boundary, run.method, bytes)] =
+            static_cast<double>(run.timed.engine->bytes()) / static_cast<double>(point.count);
+        if (!point.watched || run.boundary == in_walls) continue;
         Shares const parts = shares(point.system(in_periodic), methods[run.method],
-                                    starts[in_periodic], point.collisions / 2);
-        all.insert(all.end(), parts.begin(), parts.end());
+                                    starts[in_periodic], point.collisions_of(run.method) / 2);
+        std::ranges::copy(parts, all.begin() + static_cast<std::ptrdiff_t>(
+                                                   place_of(in_periodic, run.method, first_part)));
     }
     return all;
 }

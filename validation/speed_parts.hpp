@@ -14,10 +14,15 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
+
+#if defined(__x86_64__)
+#include <x86intrin.h>
+#endif
 
 namespace clack::validation::speed {
 
@@ -200,6 +205,23 @@ inline Shares shares(System const& system, Method const method, Start const& sta
         engine->advance({.ball_collisions = done});
     }
     return shares_seen();
+}
+
+/// Ticks of the processor's time stamp counter per second, which it makes at one rate whatever its
+/// own; where there is no such counter, nanoseconds stand for cycles.
+inline double cycles_per_second() {
+#if defined(__x86_64__)
+    using Clock = std::chrono::steady_clock;
+    auto const begin = Clock::now();
+    auto const first = __rdtsc();
+    while (Clock::now() - begin < std::chrono::milliseconds(50)) {
+    }
+    auto const last = __rdtsc();
+    return static_cast<double>(last - first) /
+           std::chrono::duration<double>(Clock::now() - begin).count();
+#else
+    return 1e9;
+#endif
 }
 
 } // namespace clack::validation::speed

@@ -20,6 +20,10 @@ struct Found {
             return std::isnan(all[place_of(boundary, runner)]);
         });
     }
+    double mean(std::size_t const boundary, std::size_t const runner,
+                std::size_t const value) const {
+        return mean_of(replicates, place_of(boundary, runner, value)).value;
+    }
     /// Collisions per second of processor time.
     Estimate rate(std::size_t const boundary, std::size_t const runner) const {
         return median_of(replicates, [=](Measurement const& all) {
@@ -90,6 +94,25 @@ inline std::vector<bool> undecided(std::vector<Found> const& all) {
         open.push_back(ledger.verdict_at(found.state(in_periodic)) == Verdict::undecided ||
                        ledger.verdict_at(found.state(in_walls)) == Verdict::undecided);
     return open;
+}
+
+/// What is measured, from the campaign as far as it has it; what stays undecided, again.
+inline std::vector<Found> measured(Experiment& experiment) {
+    std::string const peer_command = peer_of_environment();
+    std::string with_peer = peer_command.empty() ? "" : " peer=" + peer_command;
+    std::replace(with_peer.begin(), with_peer.end(), '|', ' '); // which ends a state point's text
+    std::vector<Found> all;
+    for (Point const& point : points(experiment.profile())) all.push_back({point, {}});
+    measure_until_decided(
+        all.size(),
+        [&](std::size_t const k, int const times) {
+            Point const& point = all[k].point;
+            all[k].replicates = experiment.campaign().replicates(
+                point.text() + with_peer, times * replicates,
+                [&](std::uint64_t const seed) { return measure(point, seed, peer_command); });
+        },
+        [&] { return undecided(all); });
+    return all;
 }
 
 } // namespace clack::validation::speed
