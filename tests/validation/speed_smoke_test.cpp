@@ -5,6 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <numeric>
+
 using namespace clack;
 using namespace clack::validation;
 using namespace clack::validation::speed;
@@ -94,6 +96,23 @@ BOOST_AUTO_TEST_CASE(parts_are_told_apart) {
 }
 
 // The mutant: `fast` that scans all balls.
+BOOST_AUTO_TEST_CASE(bytes_and_parts_are_measured_of_every_method) {
+    Point watched = small;
+    watched.watched = true;
+    Measurement const all = measure(watched, 1);
+    for (std::size_t const b : {in_periodic, in_walls}) {
+        for (std::size_t const method : {table, heap, fast}) {
+            BOOST_TEST(all[place_of(b, method)] > 0);
+            BOOST_TEST(all[place_of(b, method, bytes)] > sizeof(Ball<double>));
+            auto const parts =
+                all.begin() + static_cast<std::ptrdiff_t>(place_of(b, method, first_part));
+            double const sum = std::accumulate(parts, parts + part_count, 0.0);
+            BOOST_TEST((b == in_periodic ? std::abs(sum - 1) < 1e-12 : std::isnan(sum)));
+        }
+        BOOST_TEST(std::isnan(all[place_of(b, peer)]));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(fast_method_that_is_slow_is_caught) {
     Ledger const slow =
         ledger_with([](System const& system, Method const method, Start const& start) {
