@@ -15,31 +15,32 @@ namespace clack {
 /// longer holds is dropped when it comes up.
 template <class Real> class OpenBucket {
 public:
-    bool empty() const { return row_.empty() && heap_.empty(); }
-    std::size_t size() const { return row_.size() + heap_.size(); }
+    OpenBucket() { clear(); }
+    bool empty() const { return row_size() == 0 && heap_.empty(); }
+    std::size_t size() const { return row_size() + heap_.size(); }
     /// The ball so many places behind the first, where that is known.
     std::int32_t upcoming(std::size_t places) const {
-        return row_.size() <= places ? no_event : row_[row_.size() - 1 - places].ball;
+        return row_size() <= places ? no_event : row_[row_.size() - 1 - places].ball;
     }
     void clear() {
-        row_.clear();
+        row_.assign(1, {infinity<Real>, no_event});
         heap_.clear();
     }
 
     /// The next event of a ball.
     void insert(NextEvents<Real> const& next, std::int32_t ball) {
         if (!heap_.empty()) return insert_in_heap(next, ball);
-        if (row_.size() == row_max) return make_heap_with(next, ball);
+        if (row_size() == row_max) return make_heap_with(next, ball);
         Real const time = next[ball].time();
         row_.push_back({time, ball});
         std::size_t place = row_.size() - 1;
-        for (; place > 0 && row_[place - 1].time < time; --place) row_[place] = row_[place - 1];
+        for (; row_[place - 1].time < time; --place) row_[place] = row_[place - 1];
         row_[place] = {time, ball};
     }
 
     /// The ball whose event is first in the total order; no_event when none holds any more.
     std::int32_t earliest(NextEvents<Real> const& next) {
-        for (; !row_.empty(); row_.pop_back()) {
+        for (; row_.back().time < infinity<Real>; row_.pop_back()) {
             std::int32_t const first = first_in_row(next);
             if (first != no_event) return first;
         }
@@ -56,6 +57,7 @@ public:
 
 private:
     static constexpr std::size_t row_max = 64;
+    std::size_t row_size() const { return row_.size() - 1; }
 
     struct Event {
         Real time;
@@ -83,8 +85,8 @@ private:
     }
     void make_heap_with(NextEvents<Real> const& next, std::int32_t ball) {
         for (Event const& event : row_)
-            if (holds(next, event)) insert_in_heap(next, event.ball);
-        row_.clear();
+            if (event.ball != no_event && holds(next, event)) insert_in_heap(next, event.ball);
+        row_.assign(1, {infinity<Real>, no_event});
         insert_in_heap(next, ball);
     }
     void drop_top() {
@@ -95,7 +97,7 @@ private:
     std::int32_t first_in_row(NextEvents<Real> const& next) const {
         Event const& last = row_.back();
         std::int32_t first = holds(next, last) ? last.ball : no_event;
-        for (std::size_t k = row_.size() - 1; k > 0 && row_[k - 1].time == last.time; --k) {
+        for (std::size_t k = row_.size() - 1; row_[k - 1].time == last.time; --k) {
             // The two of a collision, mostly: either stands for both.
             std::int32_t const ball = row_[k - 1].ball;
             if (first != no_event && same_collision(next, first, ball)) continue;
