@@ -99,7 +99,7 @@ private:
 template <class Real, class Container> class CellsByFloor {
 public:
     CellsByFloor(System const& system, Container const& cube)
-        : cube_(cube), lattice_(system, cube, system.diameter, 0.6, 5),
+        : cube_(cube), lattice_(system, cube, CellLattice<Real>::reach(system), 0.6, 5),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)) {}
 
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
@@ -107,6 +107,8 @@ public:
         for (std::size_t i = 0; i < balls.size(); ++i)
             bins_.insert(static_cast<std::int32_t>(i), lattice_.cell_at(place_of(balls[i], now)));
     }
+
+    void settle(std::vector<Ball<Real>> const&, std::int32_t) {}
 
     std::span<std::int32_t const> candidates(std::int32_t ball) {
         found_.clear();

@@ -24,18 +24,15 @@ template <class Real> struct CellLattice {
     CellLattice(System const& system, Container const& cube, double width, double balls_per_cell,
                 int periodic_min) {
         double const extent = static_cast<double>(cube.extent());
-        // Wider by what rounding can move a ball, so that none is met from two cells away.
-        double const unit = std::max(static_cast<double>(unit_roundoff<Real>), 0x1p-53);
-        double const rounding = 1024 * unit * (system.diameter + system.side);
         double const wanted =
             std::cbrt(balls_per_cell / static_cast<double>(system.count)) * extent;
-        double const cells = std::floor(extent / std::max(width + rounding, wanted));
+        double const cells = std::floor(extent / std::max(width, wanted));
         constexpr double cells_max = 1290; // their cube still fits 31 bits
         constexpr double cells_in_line_max = 0x1p17;
         int const least = Container::boundary == Boundary::periodic ? periodic_min : 1;
         per_side = std::max(least, static_cast<int>(std::min(cells, cells_max)));
         origin = cube.origin();
-        finest = std::floor(std::min(extent / (width + rounding), cells_in_line_max));
+        finest = std::floor(std::min(extent / width, cells_in_line_max));
         set_cells(cube, per_side);
     }
 
@@ -43,6 +40,12 @@ template <class Real> struct CellLattice {
         per_side = cells;
         side = cube.extent() / static_cast<Real>(per_side);
         inverse_side = side > 0 ? 1 / side : Real(0);
+    }
+
+    /// A diameter, and what rounding can move a ball, so that none is met from two cells away.
+    static double reach(System const& system) {
+        double const unit = std::max(static_cast<double>(unit_roundoff<Real>), 0x1p-53);
+        return system.diameter + 1024 * unit * (system.diameter + system.side);
     }
 
     CellBins::Cell cell_at(Vector3<Real> const& place) const {
@@ -55,13 +58,19 @@ template <class Real> struct CellLattice {
     }
 };
 
-/// Balls by cell; a ball that leaves its cell expires.
+/// Balls by cell; a ball that has left its cell expires, but not at once. Cells are wider than a
+/// diameter where balls are few, and as far as half of what they are wider each ball may stray from
+/// its own: those that touch are in adjacent cells still. So a ball that turns soon never crosses.
+/// Measured at packing fractions 0.01, 0.05, 0.10 and 0.20: 1.13 to 1.16, 1.13 to 1.17, 1.18 to
+/// 1.23 and 1.07 to 1.09 times as fast.
 template <class Real, class Container> class CellGrid {
 public:
     CellGrid(System const& system, Container const& cube)
-        : cube_(cube), lattice_(system, cube, system.diameter, balls_per_cell, periodic_min),
+        : cube_(cube),
+          lattice_(system, cube, CellLattice<Real>::reach(system), balls_per_cell, periodic_min),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
-          coarsest_(lattice_.per_side), origin_(static_cast<double>(lattice_.origin)),
+          coarsest_(lattice_.per_side), reach_(CellLattice<Real>::reach(system)),
+          origin_(static_cast<double>(lattice_.origin)),
           cell_side_(static_cast<double>(lattice_.side)), side_(system.side),
           inverse_side_(1 / system.side) {}
 
@@ -88,8 +97,8 @@ public:
         return padded(ball);
     }
 
-    /// When the ball leaves its cell. The cell is what the last crossing said, never what the
-    /// coordinate says: that may lie an ulp on either side.
+    /// When the ball has strayed too far from its cell, which is what the last crossing said, never
+    /// what the coordinate says: that may lie an ulp on either side.
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
         // Three axes at once and choices, not branches: which way a ball flies cannot be foretold.
@@ -98,7 +107,8 @@ public:
         Numbers const v = velocity_in_double(record);
         Numbers const place = point_in_double(record) + v * static_cast<double>(now - record.time);
         Numbers const ahead = bins_.cell_as_four(ball) + (v > 0.0 ? Numbers{1, 1, 1} : Numbers{});
-        Numbers distance = origin_ + ahead * cell_side_ - place;
+        Numbers const beyond = v > 0.0 ? Numbers{} + stray_ : Numbers{} - stray_;
+        Numbers distance = origin_ + ahead * cell_side_ + beyond - place;
         auto never = v == 0.0;
         if constexpr (Container::boundary == Boundary::periodic) {
             distance -= nearest_integer<Numbers, double>(distance * inverse_side_) * side_;
@@ -114,6 +124,16 @@ public:
         first = wait[2] < first ? wait[2] : first;
         bins_.note(ball, axis);
         return now + static_cast<Real>(first);
+    }
+
+    /// Takes a ball that is about to be predicted anew, from all its candidates, back to the cell
+    /// in which it is now.
+    void settle(std::vector<Ball<Real>> const& balls, std::int32_t ball) {
+        CellBins::Cell const cell = lattice_.cell_at(balls[static_cast<std::size_t>(ball)].point);
+        CellBins::Cell const& old = bins_.cell_of(ball);
+        if (((cell[0] ^ old[0]) | (cell[1] ^ old[1]) | (cell[2] ^ old[2])) == 0) return;
+        bins_.remove(ball);
+        bins_.insert(ball, cell);
     }
 
     /// Moves the ball to the next cell along the axis it leaves by; only the nine cells behind the
@@ -194,6 +214,10 @@ private:
             bins_.lay_out(cells);
             cell_side_ = static_cast<double>(lattice_.side);
         }
+        stray_ = 0.5 * std::max(0.0, cell_side_ - reach_);
+        // The nearest image of balls in adjacent cells must be the one through which they touch.
+        if constexpr (Container::boundary == Boundary::periodic)
+            stray_ = std::min(stray_, 0.99 * (0.25 * cells - 1) * cell_side_);
         bins_.clear();
         for (std::size_t i = 0; i < balls.size(); ++i) {
             Vector3<Real> place = balls[i].position(now);
@@ -221,6 +245,8 @@ private:
     CellLattice<Real> lattice_;
     CellBins bins_;         // noted there: the axis along which a ball will leave its cell
     std::int32_t coarsest_; // cells across the cube
+    double reach_;          // centres farther apart than this do not touch
+    double stray_ = 0;      // how far a ball may be from its cell
     double origin_, cell_side_, side_, inverse_side_; // an index needs no more than double
     BallBuffer found_;                                // reused
 };

@@ -24,6 +24,7 @@ public:
     }
 
     void rebuild(std::vector<Ball<Real>> const&, Real) {}
+    void settle(std::vector<Ball<Real>> const&, std::int32_t) {}
 
     std::span<std::int32_t const> candidates(std::int32_t ball) {
         std::fill(everyone_.begin() + count_, everyone_.end(), ball);

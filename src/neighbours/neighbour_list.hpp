@@ -47,6 +47,9 @@ public:
         }
     }
 
+    /// A list holds as long as its ball is in its shell, wherever it flies.
+    void settle(std::vector<Ball<Real>> const&, std::int32_t) {}
+
     std::span<std::int32_t const> candidates(std::int32_t ball) const {
         std::int32_t const* const list = row(ball);
         std::size_t end = line_balls;

@@ -20,6 +20,9 @@ concept NeighbourSearch = requires(Search search, std::vector<Ball<Real>> const&
                                    std::int32_t ball, Real now) {
     /// Starts afresh from the records.
     search.rebuild(balls, now);
+    /// A ball was written at the present moment and will be asked for its candidates: a chance to
+    /// choose them anew.
+    search.settle(balls, ball);
     /// Every ball that this one can touch before one of the two expires.
     { search.candidates(ball) } -> std::same_as<std::span<std::int32_t const>>;
     /// When the index no longer holds for a ball; asked after each change of its record.

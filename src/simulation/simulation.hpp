@@ -150,6 +150,8 @@ private:
             observe(collision(CollisionKind::ball, i, next_.number(j), state_[j].velocity,
                               separation, impulse));
         }
+        search_.settle(state_.balls, i);
+        search_.settle(state_.balls, j);
         predict_both(i, j);
         if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(i, j);
     }

@@ -100,6 +100,18 @@ template <class Search> struct Crowd {
         *first = search.expiry(balls, ball, now);
     }
 
+    /// A ball flies on another way, as after a collision.
+    void turn_one(std::mt19937_64& random) {
+        auto const k = static_cast<std::int32_t>(random() % balls.size());
+        Ball<Real>& ball = balls[static_cast<std::size_t>(k)];
+        ball.point = ball.position(latest);
+        cube.wrap(ball.point);
+        ball.velocity = made_up::in_cube<Real>(random, -1, 1);
+        ball.time = latest;
+        search.settle(balls, k);
+        expiry[static_cast<std::size_t>(k)] = search.expiry(balls, k, latest);
+    }
+
     /// Walls end a flight before a search notices.
     void bounce_those_at_walls(Real now) {
         if constexpr (Container::boundary == Boundary::walls) {
@@ -128,16 +140,38 @@ template <class Search> struct Crowd {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(near_pairs_are_candidates_of_each_other_at_all_times, Search,
                               Searches) {
-    Crowd<Search> crowd(made_up::system(Crowd<Search>::Container::boundary, 90, 0.2), 11);
-    crowd.check(0);
-    for (int k = 0; k < 600; ++k) {
-        if (std::isinf(
-                static_cast<double>(*std::min_element(crowd.expiry.begin(), crowd.expiry.end()))))
-            break;
-        crowd.refresh_next();
-        if (k % 10 == 0) crowd.check(crowd.latest);
+    for (double const packing_fraction : {0.02, 0.06}) {
+        Crowd<Search> crowd(
+            made_up::system(Crowd<Search>::Container::boundary, 90, packing_fraction), 11);
+        if constexpr (requires { Search::fits(crowd.system); })
+            BOOST_TEST_REQUIRE(Search::fits(crowd.system));
+        std::mt19937_64 random(12);
+        crowd.check(0);
+        for (int k = 0; k < 600; ++k) {
+            if (std::isinf(static_cast<double>(
+                    *std::min_element(crowd.expiry.begin(), crowd.expiry.end()))))
+                break;
+            crowd.refresh_next();
+            crowd.turn_one(random);
+            if (k % 10 == 0) crowd.check(crowd.latest);
+        }
+        BOOST_TEST(crowd.near_pairs > 10);
     }
-    BOOST_TEST(crowd.near_pairs > 20);
+}
+
+/// Through which image balls of adjacent cells touch is what the nearest one tells.
+BOOST_AUTO_TEST_CASE(balls_stray_no_farther_than_adjacent_cells_are_less_than_half_a_side_wide) {
+    System const system = made_up::system(Boundary::periodic, 40, 0.001);
+    PeriodicCube<double> const cube(system);
+    CellGrid<double, PeriodicCube<double>> search(system, cube);
+    std::vector<Ball<double>> balls(40);
+    balls[0].point.setConstant(system.side / 2); // the middle of a cell
+    balls[0].velocity = {1, 0, 0};
+    search.rebuild(balls, 0);
+    double const cell = system.side / 5;
+    double const stray = search.expiry(balls, 0, 0) - cell / 2;
+    BOOST_TEST(stray > 1);
+    BOOST_TEST(2 * (cell + stray) < system.side / 2);
 }
 
 /// All balls in one corner of a large box: chains of blocks, wide lists, nothing overflows.
