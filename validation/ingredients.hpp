@@ -34,14 +34,14 @@ template <class Real> struct WrappedPairs : ElasticBalls<Real> {
     }
 };
 
-/// A mass for each ball: what it is heavier than 1 stands in the number that its record has to
-/// spare, behind its velocity.
+/// A mass for each ball: what it is heavier than 1 stands in its record's note, behind its velocity.
 template <class Real> struct MassOfEach : ElasticBalls<Real> {
     using ElasticBalls<Real>::ElasticBalls;
+    static constexpr bool keeps_notes = true;
     static constexpr bool keeps_energy = false; // that of equal masses, which the law knows
 
     static Real mass_of(Vector3<Real> const& velocity) {
-        static_assert(offsetof(Ball<Real>, unused) ==
+        static_assert(offsetof(Ball<Real>, note) ==
                       offsetof(Ball<Real>, velocity) + 3 * sizeof(Real));
         Real excess;
         std::memcpy(&excess, reinterpret_cast<char const*>(&velocity) + 3 * sizeof(Real),

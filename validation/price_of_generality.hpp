@@ -58,9 +58,10 @@ double const speed = std::sqrt(3.0); // about that of the start, root mean squar
 /// The smallest model between walls, or that with something more.
 template <class Real = double, template <class> class Model = ElasticBalls>
 std::unique_ptr<Engine> engine_with(System const& system, Start const& start) {
+    BallState<Real, WalledCube<Real>> state(system, start, epoch_length(system, speed));
+    for (Ball<Real>& ball : state.balls) ball.note = 0; // no heavier, no larger
     return std::make_unique<EngineOf<Simulation<Real, WalledCube, CellGrid, Calendar, Model>>>(
-        BallState<Real, WalledCube<Real>>(system, start, epoch_length(system, speed)),
-        ModelDescription{});
+        std::move(state), ModelDescription{});
 }
 
 /// Keeps the events that were last.

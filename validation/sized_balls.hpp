@@ -11,11 +11,12 @@
 
 namespace clack::validation {
 
-/// What a ball's radius exceeds half the system's diameter by stands in the number that its record
-/// has to spare, behind its velocity. Two things stay behind that the seams do not carry, neither
+/// What a ball's radius exceeds half the system's diameter by stands in its record's note. Two things stay behind that the seams do not carry, neither
 /// of which takes time: the law that balls are in contact when they collide, which knows a pair but
 /// not its balls; and the plane that stops a ball at a wall, which knows the wall alone.
 template <class Real> struct DiameterOfEach : ElasticBalls<Real> {
+    static constexpr bool keeps_notes = true;
+
     Real diameter, widest;
 
     explicit DiameterOfEach(System const& system)
@@ -35,8 +36,8 @@ template <class Real> struct DiameterOfEach : ElasticBalls<Real> {
     template <class Container>
     WallContact<Real> wall_contact(Ball<Real> const& ball, Container cube) const {
         if constexpr (Container::boundary == Boundary::walls) {
-            cube.low += ball.unused;
-            cube.high -= ball.unused;
+            cube.low += ball.note;
+            cube.high -= ball.note;
         }
         return earliest_wall(ball, cube);
     }
@@ -64,7 +65,7 @@ template <class Real, class Container>
     Ball<Real> const& one = scenery.balls[static_cast<std::size_t>(i)];
     Ball<Real> const& other = scenery.balls[static_cast<std::size_t>(j)];
     return scenery.model.contact_time(pair_of(one, other, scenery.cube, now),
-                                      one.unused + other.unused);
+                                      one.note + other.note);
 }
 
 template <Flight flight, class Real, class Container>
@@ -83,7 +84,7 @@ Contact<Real> earliest_in_lanes(SizedScenery<Real, Container> const& scenery, st
         V const excess =
             turned<Real>([&](int k) { return velocity_four(balls[chosen[k]]); }).fourth;
         V const time = scenery.model.contact_time(pairs_of<flight>(ball, other, scenery.cube, now),
-                                                  excess + ball.unused);
+                                                  excess + ball.note);
         tie |= time == best;
         I const earlier = time < best;
         best = earlier ? time : best;

@@ -98,7 +98,7 @@ template <class Condition, class Visit>
 }
 
 /// The records of so many balls, turned: one vector a component.
-template <class Real> struct BallLanes { Lanes<Real> x, y, z, time, vx, vy, vz; };
+template <class Real> struct BallLanes { Lanes<Real> x, y, z, time, vx, vy, vz, note; };
 
 /// Four numbers each of so many balls, turned.
 template <class Real> struct TurnedFours { Lanes<Real> first, second, third, fourth; };
@@ -141,7 +141,8 @@ template <class Real>
                                                          std::int32_t const* chosen) {
     auto const place = turned<Real>([&](int k) { return point_and_time(balls[chosen[k]]); });
     auto const way = turned<Real>([&](int k) { return velocity_four(balls[chosen[k]]); });
-    return {place.first, place.second, place.third, place.fourth, way.first, way.second, way.third};
+    return {place.first, place.second, place.third, place.fourth,
+            way.first,   way.second,   way.third,   way.fourth};
 }
 
 } // namespace clack

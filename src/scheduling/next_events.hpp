@@ -30,8 +30,9 @@ template <class Real> struct NextEvent {
 /// In the order in which simultaneous events are taken.
 enum class EventKind : std::int8_t { expiry, ball, wall };
 
-/// The next event of every ball. A ball's entry is never later than its true next event; it may be
-/// earlier, when the partner has changed course since: an event between two balls is real only
+/// The next event of every ball. Of two balls that are going to touch, one at least has an entry
+/// that is no later, so that it is predicted anew and tells the other. An entry may come to
+/// nothing, when the partner has changed course since: an event between two balls is real only
 /// while each names the other with the same time.
 template <class Real> class NextEvents {
 public:

@@ -150,6 +150,8 @@ private:
             observe(collision(CollisionKind::ball, i, next_.number(j), state_[j].velocity,
                               separation, impulse));
         }
+        note(i, infinity<Real>); // both are predicted anew: neither waits for the other
+        note(j, infinity<Real>);
         search_.settle(state_.balls, i);
         search_.settle(state_.balls, j);
         predict_both(i, j);
@@ -191,7 +193,7 @@ private:
             next_[ball].contact = found.time;
             next_[ball].partner = found.ball;
         }
-        queue_.update(next_, ball);
+        file(ball);
         // Only news is told: the partner may have changed course since the old contact was found.
         if (first) tell_partner(ball);
     }
@@ -219,7 +221,7 @@ private:
 
     void predict(std::int32_t ball) {
         next_[ball] = next_event(ball);
-        queue_.update(next_, ball);
+        file(ball);
         tell_partner(ball);
     }
 
@@ -231,11 +233,22 @@ private:
         for (Contact<Real> const& contact : found) // they will be told
             prefetch(&next_[std::max(contact.ball, 0)]);
         next_[i] = next_event(i, found[0]);
-        queue_.update(next_, i); // a queue hears of one change at a time
+        file(i); // a queue hears of one change at a time
         next_[j] = next_event(j, found[1]);
-        queue_.update(next_, j);
+        file(j);
         tell_partner(i);
         tell_partner(j);
+    }
+
+    /// Tells the queue, and the predictions of other balls, of a ball's next event.
+    void file(std::int32_t ball) {
+        note(ball, next_[ball].contact);
+        queue_.update(next_, ball);
+    }
+
+    /// For the predictions of other balls: when this one will touch something, as far as is known.
+    void note(std::int32_t ball, Real contact) {
+        if constexpr (heeds_notes<Model<Real>>) state_[ball].note = contact;
     }
 
     /// The ball that this one is now going to hit takes note if that comes before its own plans.
@@ -245,7 +258,7 @@ private:
             return;
         next_[event.partner].contact = event.contact;
         next_[event.partner].partner = ball;
-        queue_.update(next_, event.partner);
+        file(event.partner);
     }
 
     /// The report's second update: balls that were going to hit one of the two look again.
@@ -272,7 +285,11 @@ private:
     void rebuild() {
         state_.put_in_memory_order();
         search_.rebuild(state_.balls, clock_.offset);
-        for (std::int32_t ball = 0; ball < state_.count(); ++ball) next_[ball] = next_event(ball);
+        for (std::int32_t ball = 0; ball < state_.count(); ++ball) note(ball, infinity<Real>);
+        for (std::int32_t ball = 0; ball < state_.count(); ++ball) {
+            next_[ball] = next_event(ball);
+            note(ball, next_[ball].contact);
+        }
         queue_.rebuild(next_, clock_.offset);
     }
 

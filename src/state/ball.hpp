@@ -14,18 +14,18 @@ template <> struct FourTypes<double> { using Numbers [[gnu::vector_size(32)]] = 
 template <class Real> using Fours = typename FourTypes<Real>::Numbers;
 
 /// x(t) = point + velocity (t - time). Written by a collision and by a change of epoch, by nothing
-/// else. `time` counts from the start of the epoch. Eight numbers wide, so that a double record is
-/// one cache line: a neighbour costs one load.
+/// else; `note` is no part of the flight. `time` counts from the start of the epoch. Eight numbers
+/// wide, so that a double record is one cache line: a neighbour costs one load.
 template <class Real> struct alignas(8 * sizeof(Real)) Ball {
     Vector3<Real> point = Vector3<Real>::Zero();    // where the flight began  [length]
     Real time = 0;                                  // when the flight began
     Vector3<Real> velocity = Vector3<Real>::Zero(); // [length / time]
-    Real unused = 0;                                // but read with the velocity, as four
+    Real note = infinity<Real>; // when it means to touch something, or what its model keeps there
 
     Vector3<Real> position(Real when) const { return point + velocity * (when - time); }
 };
 
-/// A record's two halves: the point and when the flight began, the velocity and nothing.
+/// A record's two halves: the point and when the flight began, the velocity and the note.
 template <class Real> Fours<Real> point_and_time(Ball<Real> const& ball) {
     Fours<Real> four;
     std::memcpy(&four, reinterpret_cast<char const*>(&ball), sizeof four);

@@ -65,6 +65,7 @@ private:
                                        std::pow(10.0, uniform(random, -1, farthest)) * across);
         }
         ball.point = there - ball.velocity * (now - ball.time);
+        if (k % 5 == 3) ball.note = now * (1 + uniform(random));
     }
 };
 
@@ -99,6 +100,33 @@ template <template <class> class Container> void search_finds_the_same(unsigned 
 BOOST_AUTO_TEST_CASE(many_at_a_time_find_what_looking_at_each_finds) {
     search_finds_the_same<WalledCube>(3);
     search_finds_the_same<PeriodicCube>(4);
+}
+
+// Who will hit something else before is left out, who will at that very moment is not.
+BOOST_AUTO_TEST_CASE(candidates_that_mean_to_touch_something_else_before_are_left_out) {
+    System const system{.boundary = Boundary::walls, .side = 20, .count = 3};
+    WalledCube<double> const cube(system);
+    std::vector<Ball<double>> balls(3);
+    balls[0].point = {10, 10, 10};
+    balls[1].point = {13, 10, 10}; // is met at 2
+    balls[1].velocity = {-1, 0, 0};
+    balls[2].point = {10, 14, 10}; // is met at 3
+    balls[2].velocity = {0, -1, 0};
+    std::vector<std::int32_t> const numbers{0, 1, 2};
+    ElasticBalls<double> const model(system);
+    Scenery<double, WalledCube<double>, ElasticBalls<double>> const scenery{balls, numbers, cube,
+                                                                            model, false};
+    std::vector<std::int32_t> const candidates{1, 2, 0, 0, 0, 0, 0, 0};
+    auto const partner = [&](double first, double second) {
+        balls[1].note = first;
+        balls[2].note = second;
+        std::int32_t const found = earliest_contact(scenery, 0, candidates, 0.0).ball;
+        BOOST_TEST(earliest_one_by_one(scenery, 0, candidates, 0.0).ball == found);
+        return found;
+    };
+    BOOST_TEST(partner(2, 3) == 1);
+    BOOST_TEST(partner(1.75, 3) == 2);
+    BOOST_TEST(partner(1.75, 2.75) == no_ball);
 }
 
 // Equal times go to the lower number, in whatever lane it stands.

@@ -44,7 +44,8 @@ BOOST_AUTO_TEST_CASE(heavier_ball_keeps_momentum_and_energy) {
     double const excess = 2;
     Vector3<double> given;
     auto const [vi, vj] = head_on([&](Ball<double>& i, Ball<double>& j) {
-        i.unused = excess;
+        i.note = excess;
+        j.note = 0;
         given = model.collide(i.velocity, j.velocity, {1, 0, 0}, 0);
     });
     double const mass = 1 + excess;
@@ -62,7 +63,7 @@ BOOST_AUTO_TEST_CASE(balls_of_two_sizes_meet_at_the_sum_of_their_radii) {
     Start const start = lattice_start(system, 1);
     BallState<double, PeriodicCube<double>> state(system, start, epoch_length(system, speed));
     auto const excess = [](std::int64_t ball) { return ball % 3 == 0 ? 0.0 : -0.2; };
-    for (std::int32_t ball = 0; ball < state.count(); ++ball) state[ball].unused = excess(ball);
+    for (std::int32_t ball = 0; ball < state.count(); ++ball) state[ball].note = excess(ball);
     double const energy = state.kinetic_energy();
     Simulation<double, PeriodicCube, CellGrid, Calendar, DiameterOfEach> simulation(
         std::move(state));
