@@ -20,7 +20,7 @@ ink(code) = (dark(code) ? 0xffffff : 0x000000)
 # as long as it was; why it was not run at all.
 number(k) = sprintf('%.3g', real(k))
 shown(code, k, gross, reached, last, why) = \
-    (code == 8 ? word('t w p r m', int(why)) : code == 0 ? (real(reached) < real(last) ? '≤ ' . number(reached) : '') : code == 1 ? number(k) : number(gross))
+    (code == 8 ? word('t w r m', int(why)) : code == 0 ? (real(reached) < real(last) ? '≤ ' . number(reached) : '') : code == 1 ? number(k) : number(gross))
 
 # A dagger: from some k on physics has no answer. What grows with k stands behind the name.
 title(scene, parameter, none) = scene . (none eq 'nan' ? '' : '†') . ' {/=5.5 (' . raised(parameter) . ')}'
@@ -47,7 +47,7 @@ do for [n = 1:8] {
     set object n rect from screen x, 0.042 to screen x + 0.016, 0.062 fc rgb (n == 2 ? yellow(9) : colours[n]) fs solid border lc rgb '#777777'
     set label n names[n] at screen x + 0.021, 0.052 left font ',7'
 }
-set label 9 'number: from this {/:Italic k} on (digits may go before);  ≤: run so far;  not run:  t too long,  w too wide,  p periodic,  r turns round,  m missing' at screen 0.02, 0.016 left font ',6.5'
+set label 9 'number: from this {/:Italic k} on (digits may go before);  ≤: run so far;  not run:  t too long,  w too wide,  r turns round,  m missing' at screen 0.02, 0.016 left font ',6.5'
 # clack | frames | LAMMPS | textbooks
 do for [x in "2.5 5.5 6.5 9.5"] {
     set arrow from first x + 0, first -0.5 to first x + 0, first rows - 0.5 nohead front lc rgb '#000000' lw 1

@@ -107,7 +107,7 @@ enum class Kind { ok, digits, order, overlap, energy, lost, hang, crash, not_run
 inline bool is_gross(Kind kind) { return kind > Kind::digits && kind != Kind::not_run; }
 
 /// Why a method is not run.
-enum class Absence { none, too_long, too_wide, periodic, turns_round, missing };
+enum class Absence { none, too_long, too_wide, turns_round, missing };
 
 /// How far a run went, and how well it kept its laws on the way.
 struct Extent {

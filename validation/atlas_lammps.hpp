@@ -31,14 +31,14 @@ struct SoftProblem {
         return looks * std::max(1.0, std::ceil(contacts / looks));
     }
 
-    /// The deck knows walls only, and grids of cells for wide cubes would fill the memory; what
-    /// takes longer than seconds is left out too.
+    /// No deck turns balls round, that of walls would fill the memory with the cells of a wide
+    /// cube, and what takes longer than seconds is left out too.
     Absence absence() const {
-        constexpr double side_max = 120, work_max = 4e6;
+        constexpr double walled_side_max = 120, work_max = 4e6;
         double const work = steps() * static_cast<double>(problem.system.count + 20);
-        if (problem.system.boundary == Boundary::periodic) return Absence::periodic;
         if (problem.turns_round) return Absence::turns_round;
-        if (problem.system.side > side_max) return Absence::too_wide;
+        if (problem.system.boundary == Boundary::walls && problem.system.side > walled_side_max)
+            return Absence::too_wide;
         return problem.has_reference && work <= work_max ? Absence::none : Absence::too_long;
     }
 
@@ -78,7 +78,7 @@ public:
     /// Says in one line why there is none, where there is none.
     SoftBalls() {
         try {
-            reference::run_lammps(reference::LammpsFolder(), deck_, {});
+            reference::run_lammps(reference::LammpsFolder(), walled_deck_, {});
         } catch (reference::LammpsError const& error) {
             std::cout << error.what() << '\n';
             there_ = false;
@@ -87,7 +87,8 @@ public:
 
     /// What a campaign's rows depend on: those without LAMMPS are no memory for those with it.
     std::string name() const {
-        return there_ ? fmt::format("lammps={:016x}", hash_of(deck_)) : "lammps=none";
+        return there_ ? fmt::format("lammps={:016x}", hash_of(walled_deck_ + periodic_deck_))
+                      : "lammps=none";
     }
     /// Why a problem is not run.
     Absence absence(SoftProblem const& problem) const {
@@ -95,10 +96,14 @@ public:
     }
     std::vector<std::optional<Trace>> fly(std::vector<SoftProblem> const& problems) {
         std::vector<std::optional<Trace>> traces(problems.size());
-        std::vector<std::size_t> runnable;
-        for (std::size_t k = 0; k < problems.size(); ++k)
-            if (there_ && problems[k].absence() == Absence::none) runnable.push_back(k);
-        if (!runnable.empty()) run(problems, runnable, traces);
+        for (Boundary const boundary : {Boundary::walls, Boundary::periodic}) {
+            Some runnable; // by one deck
+            for (std::size_t k = 0; k < problems.size(); ++k)
+                if (problems[k].problem.system.boundary == boundary &&
+                    absence(problems[k]) == Absence::none)
+                    runnable.push_back(k);
+            if (!runnable.empty()) run(problems, runnable, traces);
+        }
         return traces;
     }
 
@@ -141,11 +146,13 @@ private:
             reference::write_lammps_data(folder / (name + ".data"), problem.system, problem.start);
             jobs.push_back(problems[k].job(name));
         }
-        reference::run_lammps(folder, deck_, jobs);
+        bool const walls = problems[some.front()].problem.system.boundary == Boundary::walls;
+        reference::run_lammps(folder, walls ? walled_deck_ : periodic_deck_, jobs);
         for (std::size_t const k : some) traces[k] = problems[k].trace(folder, std::to_string(k));
     }
 
-    std::string deck_ = reference::lammps_deck("lammps_cube.in");
+    std::string walled_deck_ = reference::lammps_deck("lammps_cube.in");
+    std::string periodic_deck_ = reference::lammps_deck("lammps_periodic_paths.in");
     bool there_ = true;
 };
 

@@ -15,7 +15,7 @@ namespace clack::validation::atlas {
 
 /// The letters of figure and table: what becomes of a method, and why a place is empty.
 inline char letter_of(Kind const kind) { return "-DOVELHC"[static_cast<std::size_t>(kind)]; }
-inline char letter_of(Absence const absence) { return " twprm"[static_cast<std::size_t>(absence)]; }
+inline char letter_of(Absence const absence) { return " twrm"[static_cast<std::size_t>(absence)]; }
 
 /// All rows and columns, and what was found.
 struct Atlas {

@@ -1,6 +1,7 @@
 // The failure atlas: its checks see each way to fail, the engine fails in none, each rule of the
 // textbooks in one.
 
+#include "tests/reference/needs_lammps.hpp"
 #include "validation/atlas_rows.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -131,10 +132,29 @@ BOOST_AUTO_TEST_CASE(places_that_stay_empty_say_why) {
     auto const soft = [](std::string const& row, double k) {
         return SoftProblem{scene(row).make(k), 1e3}.absence();
     };
-    BOOST_TEST((soft("two periodic balls", 4) == Absence::periodic));
     BOOST_TEST((soft("tiny balls", 4) == Absence::too_wide));
+    BOOST_TEST((soft("dilute", 4) == Absence::none)); // wider still, but periodic
     BOOST_TEST((soft("time reversal", 4) == Absence::turns_round));
     BOOST_TEST((soft("near contact", 4) == Absence::none));
+}
+
+/// Softness costs digits, and nothing else where contacts are short beside the time between them.
+BOOST_AUTO_TEST_CASE(soft_balls_follow_hard_ones_through_periodic_faces, *NeedsLammps()) {
+    Problem const problem = scene("two periodic balls").make(4);
+    SoftBalls soft;
+    auto const traces = soft.fly({{problem, 1e3}, {problem, 1e5}});
+    Reference const reference = reference_of(problem);
+    BOOST_TEST_REQUIRE(!reference.meetings.empty());
+    double error_before = infinity<double>;
+    for (auto const& trace : traces) {
+        BOOST_TEST_REQUIRE(trace.has_value());
+        BOOST_TEST_REQUIRE(trace->frames.size() == problem.times.size());
+        BOOST_TEST((judge(problem, reference, *trace, double_roundoff).kind == Kind::digits));
+        double const error =
+            largest_distance(problem, trace->frames.back().places, reference.frames.back().places);
+        BOOST_TEST(error < error_before / 3); // as the root of the stiffness
+        error_before = error;
+    }
 }
 
 /// A method that loses digits from k = 3.3 on and balls from 9.6 on.
