@@ -1,13 +1,12 @@
 #pragma once
 // What a scene may ask for beyond equal elastic balls, each as the smallest policy that shows where
 // it goes. All of them are neutral here, so that the balls move as they do without: a mass of 1, a
-// restitution of 1, a field of 0.
+// restitution of 1. Diameters are in sized_balls.hpp, a field in constant_field.hpp.
 
 #include "resolution/elastic_balls.hpp"
 #include "resolution/growing_balls.hpp"
 #include "state/container.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -82,47 +81,6 @@ template <class Real> struct Restitution : ElasticBalls<Real> {
     Vector3<Real> collide(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
                           Vector3<Real> const& separation, std::uint64_t /*collision*/) const {
         return exchange_normal_velocities(velocity_i, velocity_j, separation, share);
-    }
-};
-
-/// A constant field along z, as far as the seams carry it. In the frame that falls freely balls fly
-/// straight and meet as they do without a field; what rises are the walls and the faces of the
-/// cells, which are reached at roots of quadratics. (For a field other than 0 the record of a ball
-/// would have to change at each epoch with its frame, `plane` would have to know the axis and
-/// `reflect` the time.)
-template <class Real> struct ConstantField : ElasticBalls<Real> {
-    Real field; // [length / time^2]
-
-    explicit ConstantField(System const& system, double strength = 0)
-        : ElasticBalls<Real>(system), field(static_cast<Real>(strength)) {}
-
-    WallContact<Real> wall_contact(Ball<Real> const& ball, WalledCube<Real> const& cube) const {
-        Ball<Real> level = ball;
-        level.velocity[2] = 0; // asked for below
-        WallContact<Real> best = earliest_wall(level, cube);
-        Real const risen = field * ball.time * ball.time / 2;
-        Real const v = ball.velocity[2] - field * ball.time;
-        bool const up = v > 0;
-        Real const gap = up ? cube.high + risen - ball.point[2] : ball.point[2] - cube.low - risen;
-        Real const wait = wait_for(gap, v);
-        if (!(wait >= 0)) return best;
-        Real const time = ball.time + wait;
-        if (time < best.time) best = {time, up ? 5 : 4};
-        return best;
-    }
-
-    Real expiry(Real when) const {
-        return when < infinity<Real> ? 2 * when / (1 + square_root(1 - 2 * field * when)) : when;
-    }
-
-private:
-    /// Of a wall so far ahead; not a number where a ball is too slow to reach the upper one.
-    Real wait_for(Real gap, Real v) const {
-        if (v == 0 && field == 0) return infinity<Real>;
-        Real const inside = gap > 0 ? gap : Real(0);
-        Real const speed = v > 0 ? v : -v;
-        Real const root = square_root(v * v - (v > 0 ? 2 : -2) * field * inside);
-        return 2 * inside / (speed + root);
     }
 };
 

@@ -9,6 +9,7 @@
 #include "simulation/epoch.hpp"
 #include "simulation/model_choice.hpp"
 #include "state/errors.hpp"
+#include "validation/constant_field.hpp"
 #include "validation/harness/ledger.hpp"
 #include "validation/ingredients.hpp"
 #include "validation/lattice_start.hpp"
@@ -56,11 +57,12 @@ inline double times_as_long(TimedRun& first, TimedRun& second, std::uint64_t con
 double const speed = std::sqrt(3.0); // about that of the start, root mean square
 
 /// The smallest model between walls, or that with something more.
-template <class Real = double, template <class> class Model = ElasticBalls>
+template <class Real = double, template <class> class Model = ElasticBalls,
+          template <class> class Container = WalledCube>
 std::unique_ptr<Engine> engine_with(System const& system, Start const& start) {
-    BallState<Real, WalledCube<Real>> state(system, start, epoch_length(system, speed));
+    BallState<Real, Container<Real>> state(system, start, epoch_length(system, speed));
     for (Ball<Real>& ball : state.balls) ball.note = 0; // no heavier, no larger
-    return std::make_unique<EngineOf<Simulation<Real, WalledCube, CellGrid, Calendar, Model>>>(
+    return std::make_unique<EngineOf<Simulation<Real, Container, CellGrid, Calendar, Model>>>(
         std::move(state), ModelDescription{});
 }
 
@@ -99,8 +101,7 @@ enum class Sameness {
     first_collisions // other arithmetic: the same partners at first
 };
 
-/// Something that a scene may ask for, neutral in the scene at hand. An asterisk marks what is
-/// priced from below, as far as the seams carry it (ingredients.hpp).
+/// Something that a scene may ask for, neutral in the scene at hand.
 struct Ingredient {
     char const* name;
     std::function<TimedRun(System const&, Start const&)> run;
@@ -108,9 +109,10 @@ struct Ingredient {
     std::uint64_t slowness = 1; // about how many times as long as the plain run it takes, if many
 };
 
-template <class Real = double, template <class> class Model = ElasticBalls>
+template <class Real = double, template <class> class Model = ElasticBalls,
+          template <class> class Container = WalledCube>
 TimedRun run_with(System const& system, Start const& start) {
-    return {engine_with<Real, Model>(system, start)};
+    return {engine_with<Real, Model, Container>(system, start)};
 }
 inline TimedRun hashed_run(System const& system, Start const& start) {
     TimedRun run{engine_with(system, start)};
@@ -131,7 +133,7 @@ inline std::vector<Ingredient> const& ingredients() {
         {"a mass for each ball", run_with<double, MassOfEach>},
         {"a diameter for each ball", run_with<double, DiameterOfEach>},
         {"a restitution", run_with<double, Restitution>},
-        {"a constant field*", run_with<double, ConstantField>},
+        {"a constant field", run_with<double, FallingBalls, RisingCube>},
         {"growing balls", run_with<double, UngrownBalls>, first_collisions},
         {"the hash of all events", hashed_run},
         {"records of all events", kept_run},

@@ -5,6 +5,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <numeric>
+#include <vector>
+
 using namespace clack;
 using namespace clack::validation;
 using namespace clack::validation::price;
@@ -57,13 +60,25 @@ BOOST_AUTO_TEST_CASE(heavier_ball_keeps_momentum_and_energy) {
     BOOST_TEST(vj[0] > vi[0]);
 }
 
-// With diameters that differ, and not only what is neutral: cells, vectors and ties go by them.
+// With diameters that differ, and not only what is neutral: cells, vectors and what decides ties go
+// by them.
 BOOST_AUTO_TEST_CASE(balls_of_two_sizes_meet_at_the_sum_of_their_radii) {
     System const system = cube(Boundary::periodic, 256, 0.3);
     Start const start = lattice_start(system, 1);
     BallState<double, PeriodicCube<double>> state(system, start, epoch_length(system, speed));
     auto const excess = [](std::int64_t ball) { return ball % 3 == 0 ? 0.0 : -0.2; };
     for (std::int32_t ball = 0; ball < state.count(); ++ball) state[ball].note = excess(ball);
+    DiameterOfEach<double> const model(system);
+    Scenery<double, PeriodicCube<double>, DiameterOfEach<double>> const scenery{
+        state.balls, state.numbers, state.cube, model, false};
+    std::vector<std::int32_t> everybody(state.balls.size()); // full lanes
+    std::iota(everybody.begin(), everybody.end(), 0);
+    for (std::int32_t const ball : everybody) {
+        auto const at_once = earliest_contact(scenery, ball, everybody, 0.0);
+        auto const one_by_one = earliest_one_by_one(scenery, ball, everybody, 0.0);
+        BOOST_TEST(at_once.time == one_by_one.time);
+        BOOST_TEST(at_once.ball == one_by_one.ball);
+    }
     double const energy = state.kinetic_energy();
     Simulation<double, PeriodicCube, CellGrid, Calendar, DiameterOfEach> simulation(
         std::move(state));
@@ -89,23 +104,51 @@ BOOST_AUTO_TEST_CASE(normal_velocity_comes_back_by_the_restitution) {
 }
 
 BOOST_AUTO_TEST_CASE(wall_that_rises_is_met_where_the_ball_falls_on_it) {
-    double const field = 2;
-    ConstantField<double> const model(small, field);
-    WalledCube<double> const walls(small);
+    FallingBalls<double> const model(small);
+    RisingCube<double> const walls(small, 2);
     Ball<double> ball;
-    ball.point = {walls.low + 1, walls.low + 1, walls.low + 1};
+    ball.point = {walls.high, walls.high, walls.low + 1}; // long on its way down along the others
     ball.time = 0.25;
-    for (double const upwards : {-1.0, 0.0, 5.0}) { // of the ball that falls, in the frame at rest
-        ball.velocity = {0, 0, upwards + field * ball.time};
+    for (double const upwards : {-1.0, 0.0, 1.0, 5.0}) { // in the frame at rest; 1 is too slow
+        ball.velocity = Vector3<double>::Constant(walls.pace(ball.time));
+        ball.velocity[2] += upwards;
         auto const contact = model.wall_contact(ball, walls);
+        BOOST_TEST(contact.wall == (upwards == 5 ? 5 : 4));
+        int const towards = contact.wall == 5 ? 1 : -1;
         double const wait = contact.time - ball.time;
-        double const risen = field * contact.time * contact.time / 2;
-        bool const up = contact.wall == 5;
-        double const plane = (up ? walls.high : walls.low) + risen;
-        BOOST_TEST(ball.point[2] + ball.velocity[2] * wait == plane,
+        BOOST_TEST(ball.point[2] + ball.velocity[2] * wait ==
+                       model.plane(walls, towards, contact.time, ball.velocity[2]),
                    boost::test_tools::tolerance(1e-14));
-        BOOST_TEST(up == (upwards > 0));
     }
+}
+
+/// Balls that fall, seen after so many collisions.
+template <template <class, class> class Search>
+Snapshot fallen(System const& system, Start const& start, double const field) {
+    Simulation<double, RisingCube, Search, Calendar, FallingBalls> simulation(
+        BallState<double, RisingCube<double>>(system, start, epoch_length(system, speed), field));
+    simulation.advance({.ball_collisions = 5'000}, NoObserver{});
+    BOOST_TEST(simulation.state().clock.epoch > 3);
+    BOOST_TEST(simulation.state().tallies.deepest_overlap < 1e-13);
+    return simulation.state().snapshot();
+}
+
+// A field, and not only what is neutral: walls, records at a change of frame and cells go by it.
+BOOST_AUTO_TEST_CASE(falling_balls_keep_their_energy_between_their_walls) {
+    Start const start = equilibrated(small, 1);
+    double const field = 1;
+    auto const energy = [&](Eigen::Matrix3Xd const& places, Eigen::Matrix3Xd const& velocities) {
+        return velocities.squaredNorm() / 2 + field * places.sum();
+    };
+    Snapshot const by_cells = fallen<CellGrid>(small, start, field);
+    Snapshot const by_pairs = fallen<EveryPair>(small, start, field);
+    BOOST_TEST((by_cells.positions == by_pairs.positions)); // to the last bit
+    BOOST_TEST(energy(by_cells.positions, by_cells.velocities) ==
+                   energy(start.positions, start.velocities),
+               boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(by_cells.positions.minCoeff() > small.diameter / 2 - 1e-12);
+    BOOST_TEST(by_cells.positions.maxCoeff() < small.side - small.diameter / 2 + 1e-12);
+    BOOST_TEST(by_cells.positions.mean() < 0.45 * small.side); // they have sunk
 }
 
 // The mutant: `auto` that takes the table everywhere.
