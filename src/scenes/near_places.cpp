@@ -8,7 +8,7 @@ namespace clack {
 
 namespace {
 
-constexpr std::int64_t most_cells = std::int64_t{1} << 20; // per side: x + m y + m^2 z in 64 bits
+constexpr std::int64_t most_cells = std::int64_t{1} << 30; // per side: the widest cube's
 
 } // namespace
 
@@ -19,7 +19,9 @@ NearPlaces::NearPlaces(System const& system, double reach, std::int64_t capacity
       cells_per_length_(static_cast<double>(cells_) / system.side) {
     double const per_side = static_cast<double>(cells_);
     double const cell_count = per_side * per_side * per_side;
-    double const wanted = std::min(cell_count, 4.0 * static_cast<double>(capacity));
+    double const most_buckets = 4.0 * static_cast<double>(capacity);
+    double const wanted = std::min(cell_count, most_buckets);
+    each_its_own_ = cell_count <= most_buckets;
     mask_ = std::bit_ceil(static_cast<std::uint64_t>(wanted)) - 1;
     first_.assign(mask_ + 1, -1);
     next_.reserve(static_cast<std::size_t>(capacity));

@@ -60,18 +60,20 @@ private:
     std::int64_t wrapped(std::int64_t cell) const {
         return cell < 0 ? cell + cells_ : cell >= cells_ ? cell - cells_ : cell;
     }
+    /// A bucket of its own for each cell where there are so many. Where there are fewer, rows of
+    /// cells are scattered among them: balls in one plane of a wide cube must not share one.
     std::size_t bucket(std::int64_t x, std::int64_t y, std::int64_t z) const {
-        auto const number =
-            static_cast<std::uint64_t>(x) +
-            static_cast<std::uint64_t>(cells_) *
-                (static_cast<std::uint64_t>(y) +
-                 static_cast<std::uint64_t>(cells_) * static_cast<std::uint64_t>(z));
-        return number & mask_;
+        auto const i = static_cast<std::uint64_t>(x), j = static_cast<std::uint64_t>(y),
+                   k = static_cast<std::uint64_t>(z), m = static_cast<std::uint64_t>(cells_);
+        if (each_its_own_) return i + m * (j + m * k);
+        std::uint64_t const scattered = j * 0x9e3779b97f4a7c15 + k * 0xc2b2ae3d27d4eb4f;
+        return (i + (scattered >> 32)) & mask_;
     }
 
     Boundary boundary_;
     std::int64_t cells_; // per side
     double cells_per_length_;
+    bool each_its_own_; // bucket, for each cell
     std::uint64_t mask_;
     std::vector<std::int32_t> first_; // of each bucket: its latest ball, -1 for none
     std::vector<std::int32_t> next_;  // of each ball: the one before it in its bucket

@@ -2,6 +2,7 @@
 
 #include "scenes/insertion.hpp"
 #include "scenes/lattice.hpp"
+#include "scenes/near_places.hpp"
 #include "scenes/packing.hpp"
 #include "tests/scenes/places.hpp"
 
@@ -16,6 +17,17 @@ std::vector<std::int64_t> const counts{1, 2, 3, 5, 14, 31, 100};
 
 System system_of(Boundary boundary, std::int64_t count, double packing_fraction) {
     return {boundary, side_of_packing_fraction(count, 1.3, packing_fraction), count, 1.3, 1};
+}
+
+/// Balls that are looked at, a ball, when all are put into a cube so wide one by one.
+double visits_a_ball(double side, Eigen::Matrix3Xd const& places) {
+    NearPlaces near({Boundary::walls, side, places.cols(), 1, 1}, 1, places.cols());
+    std::int64_t visits = 0;
+    for (auto const& place : places.colwise()) {
+        near.visit_near(place, [&](std::int32_t) { return ++visits, NearPlaces::Visit::go_on; });
+        near.add(place);
+    }
+    return static_cast<double>(visits) / static_cast<double>(places.cols());
 }
 
 } // namespace
@@ -98,6 +110,27 @@ BOOST_AUTO_TEST_CASE(random_places_fill_the_cube_evenly) {
         BOOST_TEST(std::abs(lower - 2001) < 4 * 32);
         BOOST_TEST(lowest(places) < 0.75 * system.diameter);
         BOOST_TEST(highest(places) > system.side - 0.75 * system.diameter);
+    }
+}
+
+/// 27 cells in a table of at least four buckets a ball hold seven strangers at most, on average;
+/// neighbours are few.
+BOOST_AUTO_TEST_CASE(few_balls_are_looked_at_however_wide_the_cube_and_wherever_they_stand) {
+    constexpr Eigen::Index count = 2000;
+    for (double const side : {1e4, 0x1p20, 1e9}) {
+        for (int empty = 0; empty < 3; ++empty) {
+            Eigen::Matrix3Xd plane = (side - 1) * Eigen::Matrix3Xd::Random(3, count).cwiseAbs();
+            plane.row(empty).setConstant(side / 3);
+            Eigen::Matrix3Xd line = plane;
+            line.row((empty + 1) % 3).setConstant(side / 7);
+            Eigen::Matrix3Xd column = Eigen::Matrix3Xd::Constant(3, count, side / 3);
+            column.row(empty) += 1.1 * Eigen::RowVectorXd::LinSpaced(count, 0, count - 1);
+            BOOST_TEST_CONTEXT(side << ", axis " << empty) {
+                BOOST_TEST(visits_a_ball(side, plane) < 12);
+                BOOST_TEST(visits_a_ball(side, line) < 12);
+                BOOST_TEST(visits_a_ball(side, column) < 12);
+            }
+        }
     }
 }
 
