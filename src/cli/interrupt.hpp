@@ -9,7 +9,8 @@ constexpr int interrupted_exit_code = 130;
 /// yet to close.
 void catch_interrupts();
 
-/// From now on a signal only sets the flag that `interrupt_requested` tells.
+/// From now on, which is before a file is begun, a signal only sets the flag that
+/// `interrupt_requested` tells.
 void defer_interrupts();
 bool interrupt_requested();
 

@@ -43,7 +43,6 @@ void use_threads(Engine& engine, int threads) {
 
 int record(Scene const& scene, RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,
            std::string const& output) {
-    defer_interrupts();
     auto const end = [&] {
         try {
             return run.run();

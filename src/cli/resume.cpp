@@ -103,7 +103,9 @@ int resume_command(ResumeOptions const& options) {
     if (!over && point.phase != Phase::equilibrating) {
         schedule.extend(Schedule(before), point, samples);
     }
-    TrajectoryWriter writer(path, resumed_header(file->header(), scene, *engine));
+    auto const header = resumed_header(file->header(), scene, *engine);
+    defer_interrupts();
+    TrajectoryWriter writer(path, header);
     writer.copy_from(*file, point, samples);
     file.reset();
 

@@ -32,7 +32,9 @@ int run_command(RunOptions const& options) {
     auto const engine = start_engine(scene);
     use_threads(*engine, options.threads);
 
-    TrajectoryWriter writer(output, header_of(scene, *engine));
+    auto const header = header_of(scene, *engine);
+    defer_interrupts();
+    TrajectoryWriter writer(output, header);
     ProgressLine line(options.progress);
     RecordedRun run(scene, *engine, writer, line);
     int const code = [&] {
