@@ -87,8 +87,10 @@ void print_goal(Scene const& scene) {
         line("horizon", in_words(*horizon));
     if (auto const speed = measured_speed(scene); speed && *speed > 0) {
         double const all = static_cast<double>(schedule.equilibration()) + collisions;
-        line("duration", fmt::format("about {} at {:.2g} collisions/s, as measured just now",
-                                     duration_in_words(all / *speed), *speed));
+        double const seconds = all / *speed;
+        line("duration", fmt::format("{}{} at {:.2g} collisions/s, as measured just now",
+                                     seconds < 1 ? "" : "about ", duration_in_words(seconds),
+                                     *speed));
     } else {
         line("duration", "not estimated");
     }

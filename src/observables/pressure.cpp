@@ -4,14 +4,17 @@ namespace clack {
 
 namespace {
 
-/// Rate of one tally over the samples.
+/// Rate of one tally over the samples. While nothing has happened yet all blocks agree, which says
+/// nothing about how far off they are: there is no error.
 Estimate tally_rate(std::vector<Sample> const& samples, double Tallies::*tally) {
     std::vector<double> times, sums;
     for (auto const& sample : samples) {
         times.push_back(sample.time);
         sums.push_back(sample.tallies.*tally);
     }
-    return rate_by_blocking(times, sums);
+    Estimate rate = rate_by_blocking(times, sums);
+    if (!sums.empty() && sums.back() == sums.front()) rate.error.reset();
+    return rate;
 }
 
 Estimate scaled(Estimate estimate, double factor, double shift = 0) {

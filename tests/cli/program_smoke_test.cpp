@@ -151,6 +151,7 @@ BOOST_AUTO_TEST_CASE(info_tells_of_scenes_and_of_files) {
     for (std::string const word : {"a test", "packing fraction", "model", "memory", "duration"}) {
         BOOST_TEST(of_scene.out.find(word) != std::string::npos, word);
     }
+    BOOST_TEST(of_scene.out.find("about less than") == std::string::npos);
     run_json({"run", path, "-o", "out.h5"});
     auto const of_file = run_clack({"info", "out.h5"});
     BOOST_TEST(of_file.code == 0);

@@ -91,6 +91,17 @@ BOOST_AUTO_TEST_CASE(one_ball_between_walls_has_z_one_by_both_routes) {
     BOOST_TEST(wall_pressure(system, samples)->value == 2.25); // N kT / l^3
 }
 
+BOOST_AUTO_TEST_CASE(no_error_is_claimed_before_anything_has_happened) {
+    System const system{Boundary::walls, 30, 2, 1, 1};
+    std::vector<Sample> samples;
+    for (int k = 0; k <= 64; ++k) samples.push_back({static_cast<double>(k), {}, 3});
+    auto const z = compressibility_factor(system, 1, samples);
+    BOOST_TEST(z.virial->value == 1);
+    BOOST_TEST(!z.virial->error);
+    BOOST_TEST(!z.wall->error);
+    BOOST_TEST(!wall_pressure(system, samples)->error);
+}
+
 BOOST_AUTO_TEST_CASE(periodic_pressure_counts_the_lost_degrees_of_freedom) {
     System const system{Boundary::periodic, 10, 5, 1, 1};
     double const kt = temperature(system, 6 + 10, Eigen::Vector3d(10, 0, 0)); // 10 of the whole
