@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -117,7 +116,7 @@ private:
     Replicates known_;
     int times_as_many_ = 1;
     bool has_tasks_ = false;
-    std::set<std::string> asked_for_;
+    std::map<std::string, int> asked_for_; // replicates of each state point
     double seconds_recalled_ = 0;
 };
 
