@@ -15,7 +15,7 @@
 #include "validation/lattice_start.hpp"
 #include "validation/mutants/engine_maker.hpp"
 #include "validation/sized_balls.hpp"
-#include "validation/timed_runs.hpp"
+#include "validation/timing.hpp"
 
 #include <fmt/format.h>
 

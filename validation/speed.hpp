@@ -9,7 +9,7 @@
 #include "validation/mutants/engine_maker.hpp"
 #include "validation/speed_parts.hpp"
 #include "validation/speed_peer.hpp"
-#include "validation/timed_runs.hpp"
+#include "validation/timing.hpp"
 
 #include <fmt/format.h>
 

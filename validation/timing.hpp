@@ -1,12 +1,14 @@
 #pragma once
-// Times on a machine with other work: how long something took, and how many times as fast one thing
-// is as another.
+// What the experiments on speed have in common: cubes of balls, runs that are timed in turn, and
+// how many times as fast one thing is as another on a machine with other work.
 
+#include "simulation/engine.hpp"
 #include "validation/statistics/verdict.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <ctime>
+#include <memory>
+#include <numbers>
 #include <vector>
 
 namespace clack::validation {
@@ -17,6 +19,43 @@ inline double processor_seconds() {
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+inline System cube(Boundary const boundary, std::int64_t const count,
+                   double const packing_fraction) {
+    System made;
+    made.boundary = boundary;
+    made.count = count;
+    made.side = std::cbrt(static_cast<double>(count) * std::numbers::pi / (6 * packing_fraction));
+    return made;
+}
+
+inline char const* name_of(Boundary const boundary) {
+    return boundary == Boundary::walls ? "walls" : "periodic";
+}
+
+/// Where the balls of an engine are, for others to start from.
+inline Start start_of(Engine const& engine) {
+    Snapshot const snapshot = engine.snapshot();
+    return {snapshot.positions, snapshot.velocities};
+}
+
+/// An engine on its way, timed a slice at a time.
+struct TimedRun {
+    std::unique_ptr<Engine> engine;
+    std::unique_ptr<CollisionObserver> observer = {};
+    std::uint64_t done = 0; // collisions, timed or not
+
+    /// Processor time of a slice of collisions. A third goes first, untimed: others have had the
+    /// caches meanwhile.
+    double go(std::uint64_t const slice) {
+        done += slice / 3;
+        engine->advance({.ball_collisions = done}, observer.get());
+        double const begin = processor_seconds();
+        done += slice;
+        engine->advance({.ball_collisions = done}, observer.get());
+        return processor_seconds() - begin;
+    }
+};
 
 /// The risks where times are compared: a few replicates on a machine with other work could not
 /// tell anything apart by those of an experiment that counts.

@@ -2,7 +2,7 @@
 
 #include "validation/harness/ledger.hpp"
 #include "validation/lattice_start.hpp"
-#include "validation/timed_runs.hpp"
+#include "validation/timing.hpp"
 
 #include <fmt/format.h>
 

@@ -22,19 +22,30 @@ using Measurement = std::vector<double>;
 /// Throws std::invalid_argument for fewer than two.
 Estimate mean_of(std::vector<double> const& replicates);
 
-/// The same of a function of what each replicate measured, or of one of the values.
+/// The middle one of several, with the standard error that a median of normal numbers has.
+Estimate median_of(std::vector<double> values);
+
+/// A function of what each replicate measured.
 template <std::invocable<Measurement> Function>
-Estimate mean_of(std::vector<Measurement> const& replicates, Function const& function) {
+std::vector<double> values_of(std::vector<Measurement> const& replicates,
+                              Function const& function) {
     std::vector<double> values;
     for (Measurement const& measurement : replicates) values.push_back(function(measurement));
-    return mean_of(values);
+    return values;
+}
+
+/// The mean of a function, or of one of the values, and the middle one.
+template <std::invocable<Measurement> Function>
+Estimate mean_of(std::vector<Measurement> const& replicates, Function const& function) {
+    return mean_of(values_of(replicates, function));
+}
+template <std::invocable<Measurement> Function>
+Estimate median_of(std::vector<Measurement> const& replicates, Function const& function) {
+    return median_of(values_of(replicates, function));
 }
 inline Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const place) {
     return mean_of(replicates, [=](Measurement const& values) { return values.at(place); });
 }
-
-/// The middle one of several, with the standard error that a median of normal numbers has.
-Estimate median_of(std::vector<double> values);
 
 /// Half the width of Student's interval that holds the true mean with this confidence.
 ///   confidence   in (0, 1)
