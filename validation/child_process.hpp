@@ -1,5 +1,5 @@
 #pragma once
-// What may hang or crash is measured in a process of its own.
+// Other processes: programs that print, and copies of this one for what may hang or crash.
 
 #include "validation/statistics/estimate.hpp"
 
@@ -7,15 +7,26 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <string>
 #include <system_error>
 
 namespace clack::validation {
+
+/// What a command prints; nothing when it cannot be run.
+inline std::string output_of(std::string const& command) {
+    std::unique_ptr<FILE, int (*)(FILE*)> const pipe(popen(command.c_str(), "r"), pclose);
+    std::array<char, 4096> piece{};
+    std::string output;
+    while (pipe && std::fgets(piece.data(), piece.size(), pipe.get())) output += piece.data();
+    return output;
+}
 
 enum class ChildEnd { finished, crashed, out_of_time };
 

@@ -92,7 +92,6 @@ Verdict ask(Experiment& experiment) {
     experiment.write(csv_of(rows));
     experiment.write(macros);
     experiment.write_table(table_of(rows));
-    forget_judged();
     return caught == rows.size() ? Verdict::agrees : Verdict::differs;
 }
 

@@ -1,15 +1,13 @@
 // Do all searches, queues, instructions and compilers move the balls to the same last bit?
 
 #include "validation/same_bits.hpp"
+#include "validation/child_process.hpp"
 #include "validation/harness/experiment.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstdio>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -46,10 +44,9 @@ Build this_build() {
 /// Runs a witness program and reads what it prints.
 Build witness(std::string const& name, std::string const& program) {
     Build build{name, {}};
-    std::unique_ptr<FILE, int (*)(FILE*)> const output(popen(program.c_str(), "r"), pclose);
-    std::array<char, 256> line{};
-    while (output && std::fgets(line.data(), line.size(), output.get())) {
-        std::istringstream fields(line.data());
+    std::istringstream output(output_of(program));
+    for (std::string line; std::getline(output, line);) {
+        std::istringstream fields(line);
         WayHash way;
         std::string hash;
         std::getline(fields, way.scene, ',');

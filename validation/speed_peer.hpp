@@ -7,15 +7,14 @@
 // come first and how many are timed, and a seed. The last line that it prints is the number of
 // collisions per second of processor time. One that cannot do a state point prints no number there.
 
+#include "validation/child_process.hpp"
+
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <memory>
 #include <string>
 
 namespace clack::validation::speed {
@@ -44,13 +43,7 @@ inline double peer_seconds(std::string const& command, std::int64_t const count,
     double const per_ball = 2 * static_cast<double>(collisions) / static_cast<double>(count);
     std::string const call = fmt::format("{} {} {} {} {} {}", command, count, packing_fraction,
                                          equilibration, per_ball, seed % 1'000'000'007);
-    std::string output;
-    {
-        std::unique_ptr<FILE, int (*)(FILE*)> const pipe(popen(call.c_str(), "r"), pclose);
-        std::array<char, 4096> piece{};
-        while (pipe && std::fgets(piece.data(), piece.size(), pipe.get())) output += piece.data();
-    }
-    double const rate = last_number(output);
+    double const rate = last_number(output_of(call));
     return rate > 0 ? 1 / rate : std::numeric_limits<double>::quiet_NaN();
 }
 

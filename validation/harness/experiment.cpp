@@ -2,15 +2,14 @@
 
 #include "io/machine.hpp"
 #include "state/errors.hpp"
+#include "validation/child_process.hpp"
 #include <clack_build.hpp> // made by the build: CLACK_VERSION, CLACK_FLAGS
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <iostream>
-#include <memory>
 
 namespace clack::validation {
 
@@ -19,11 +18,12 @@ namespace {
 /// Reads the command line and makes the directory for the results.
 Options read_options(CLI::App& app, int const argc, char const* const* const argv) {
     Options options;
-    std::string profile = name_of(options.profile), directory = options.directory.string();
+    std::string profile = name_of(options.profile);
     app.add_option("--profile", profile, "quick (minutes) or full (the report's numbers)")
         ->check(CLI::IsMember({"quick", "full"}))
         ->capture_default_str();
-    app.add_option("-o,--output", directory, "directory for the results")->capture_default_str();
+    app.add_option("-o,--output", options.directory, "directory for the results")
+        ->capture_default_str();
     app.add_option("--seeds", options.seed_set, "which of many independent sets of seeds")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
@@ -35,12 +35,7 @@ Options read_options(CLI::App& app, int const argc, char const* const* const arg
         ->excludes(list);
     app.parse(argc, argv);
     options.profile = profile == "full" ? Profile::full : Profile::quick;
-    options.directory = directory;
-    std::error_code failure;
-    std::filesystem::create_directories(options.directory, failure);
-    if (failure)
-        throw InputError(
-            fmt::format("--output = {}: cannot be made: {}", directory, failure.message()));
+    std::filesystem::create_directories(options.directory);
     return options;
 }
 
@@ -48,31 +43,9 @@ Options read_options(CLI::App& app, int const argc, char const* const* const arg
 /// commit a new program, whose campaigns start over.
 std::string commit() {
     auto const root = std::filesystem::path(CLACK_REFERENCE_DIR).parent_path();
-    std::string const command =
-        fmt::format("git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", root.string());
-    std::unique_ptr<FILE, int (*)(FILE*)> const pipe(popen(command.c_str(), "r"), pclose);
-    char answer[128] = "";
-    if (!pipe || !std::fgets(answer, sizeof answer, pipe.get())) return "unknown";
-    std::string const line = answer;
-    return line.substr(0, line.find('\n'));
-}
-
-/// The verdict, or that a law of nature was broken, which is one too.
-int judged(Experiment& experiment, std::string const& stem,
-           std::function<Verdict(Experiment&)> const& answer) {
-    Verdict verdict = Verdict::differs;
-    try {
-        verdict = answer(experiment);
-        while (verdict == Verdict::undecided && experiment.look_again()) {
-            std::cout << fmt::format("{}: undecided: again, with twice as many replicates\n", stem);
-            verdict = answer(experiment);
-        }
-    } catch (LawBroken const& broken) {
-        std::cerr << fmt::format("{}: {}\n", stem, broken.what());
-    }
-    experiment.conclude(verdict);
-    std::cout << fmt::format("{}: {}\n", stem, name_of(verdict));
-    return verdict == Verdict::agrees ? 0 : 1;
+    std::string const answer = output_of(fmt::format(
+        "git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", root.string()));
+    return answer.empty() ? "unknown" : answer.substr(0, answer.find('\n'));
 }
 
 } // namespace
@@ -87,9 +60,8 @@ std::vector<std::string> provenance(Question const& asked, Profile const profile
             "compiler: " + compiler(),
             fmt::format("flags: {}", CLACK_FLAGS),
             "machine: " + processor(),
-            fmt::format("seeds: hashed from experiment, state point and replicate; each stands in "
-                        "{}.replicates",
-                        asked.stem),
+            "seeds: hashed from experiment, state point and replicate; they stand in " +
+                asked.stem + ".replicates",
             fmt::format("margin: {}: {}", asked.margin, asked.reason)};
 }
 
@@ -98,11 +70,22 @@ Experiment::Experiment(Question asked, Options options)
       campaign_(question_.stem, options_.directory, program_hash(), options_.seed_set,
                 options_.share) {}
 
-bool Experiment::look_again() {
-    if (look_ == most_looks || !campaign_.lengthen()) return false;
-    ++look_;
-    forget_judged();
-    return true;
+Verdict Experiment::answer(std::function<Verdict(Experiment&)> const& ask) {
+    Verdict verdict = Verdict::differs;
+    try {
+        for (;; ++look_) {
+            worst_z_ = 0;
+            verdict = ask(*this);
+            if (verdict != Verdict::undecided || look_ == most_looks || !campaign_.lengthen())
+                break;
+            std::cout << question_.stem << ": undecided: again, with twice as many replicates\n";
+        }
+    } catch (LawBroken const& broken) {
+        std::cerr << fmt::format("{}: {}\n", question_.stem, broken.what());
+    }
+    conclude(verdict);
+    std::cout << fmt::format("{}: {}\n", question_.stem, name_of(verdict));
+    return verdict;
 }
 
 void Experiment::leave(std::string const& ending, std::string const& text) const {
@@ -120,40 +103,36 @@ void Experiment::write(Macros const& macros) const {
 void Experiment::write_table(std::string const& tabular) const { leave("_table.tex", tabular); }
 
 void Experiment::conclude(Verdict const verdict) const {
+    auto const& [stem, text, margin, reason, processes] = question_;
     int const points = campaign_.points_asked_for();
-    auto const worst = worst_z_judged();
     double const seconds = campaign_.seconds();
-    std::string margin = question_.margin;
-    std::replace(margin.begin(), margin.end(), ',', ';'); // which part the columns
+    bool const has_z = worst_z_ > 0;
     Csv csv({"experiment", "state_points", "margin", "worst_z", "verdict", "processor_seconds"});
-    csv.row(question_.stem, points, margin, worst ? cell(*worst) : "", name_of(verdict),
-            fmt::format("{:.1f}", seconds));
+    csv.row(stem, points, boost::replace_all_copy(margin, ",", ";"), // commas part the columns
+            has_z ? cell(worst_z_) : "", name_of(verdict), fmt::format("{:.1f}", seconds));
     write(csv, "_verdict");
     leave("_verdict.tex",
-          fmt::format("\\texttt{{{}}} & {} & {} & {} & {} & {} \\\\\n", in_tex(question_.stem),
-                      points, in_tex(question_.margin), worst ? significant(*worst, 2) : "--",
-                      name_of(verdict), significant(seconds, 2)));
+          fmt::format("\\texttt{{{}}} & {} & {} & {} & {} & {} \\\\\n", in_tex(stem), points,
+                      in_tex(margin), has_z ? significant(worst_z_, 2) : "--", name_of(verdict),
+                      significant(seconds, 2)));
 }
 
 int run(int const argc, char const* const* const argv, Question const& asked,
-        std::function<Verdict(Experiment&)> const& answer) {
+        std::function<Verdict(Experiment&)> const& ask) {
     CLI::App app(asked.text, asked.stem);
     try {
         Options const options = read_options(app, argc, argv);
-        bool const whole = asked.processes == Processes::one;
-        if (whole && options.share.listed) return 0;
-        if (whole && options.share.point > 0)
-            throw InputError("--point: this experiment cannot be shared out");
-        Experiment experiment(asked, options);
-        return judged(experiment, asked.stem, answer);
+        if (asked.processes == Processes::one) {
+            if (options.share.listed) return 0;
+            if (options.share.point > 0)
+                throw InputError("--point: this experiment cannot be shared out");
+        }
+        return Experiment(asked, options).answer(ask) == Verdict::agrees ? 0 : 1;
     } catch (ShareDone const&) {
         return 0;
-    } catch (CLI::CallForHelp const&) {
-        std::cout << app.help();
-        return 0;
-    } catch (CLI::ParseError const& mistake) {
-        std::cerr << fmt::format("{}: {}; see {} --help\n", asked.stem, mistake.what(), asked.stem);
-    } catch (InputError const& mistake) {
+    } catch (CLI::ParseError const& mistake) { // or --help
+        return app.exit(mistake) == 0 ? 0 : 2;
+    } catch (std::runtime_error const& mistake) { // the user's, or a file's or another program's
         std::cerr << fmt::format("{}: {}\n", asked.stem, mistake.what());
     }
     return 2;

@@ -6,6 +6,7 @@
 #include "validation/records/tables.hpp"
 #include "validation/statistics/verdict.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -49,29 +50,32 @@ public:
     Profile profile() const { return options_.profile; }
     Campaign& campaign() { return campaign_; }
 
-    /// How often the question has been asked. What is undecided is asked again, `most_looks` times
-    /// at most, of twice as many replicates each time.
+    /// Asks, and what is undecided again, of twice as many replicates each time. Leaves the summary
+    /// directory/stem_verdict.csv, and the same as a row of the report's table of verdicts,
+    /// stem_verdict.tex: state points, margin, worst z, verdict, cost. A law of nature that was
+    /// broken is a verdict too.
+    Verdict answer(std::function<Verdict(Experiment&)> const& ask);
+    /// How often it has been asked, with this time.
     int look() const { return look_; }
     static constexpr int most_looks = 3;
-    bool look_again();
 
-    /// Writes directory/stem<suffix>.csv under the provenance.
+    /// Write directory/stem<suffix>.csv and directory/stem.tex, under the provenance, and
+    /// directory/stem_table.tex, a tabular.
     void write(Csv const& csv, std::string const& suffix = "") const;
-    /// Writes directory/stem.tex.
     void write(Macros const& macros) const;
-    /// Writes directory/stem_table.tex, a tabular.
     void write_table(std::string const& tabular) const;
-    /// Writes directory/stem_verdict.csv, and the same as a row of the report's table of verdicts,
-    /// stem_verdict.tex: state points, margin, worst z, verdict, cost.
-    void conclude(Verdict verdict) const;
+    /// Keeps the largest z against agreement of this look, for the summary.
+    void note(double z) { worst_z_ = std::max(z, worst_z_); }
 
 private:
+    void conclude(Verdict verdict) const;
     void leave(std::string const& ending, std::string const& text) const;
 
     Question question_;
     Options options_;
     Campaign campaign_;
     int look_ = 1;
+    double worst_z_ = 0;
 };
 
 /// What an experiment's source defines, and nothing else: the main of all experiments, which the
@@ -82,9 +86,9 @@ Verdict ask(Experiment& experiment);
 /// Runs an experiment as a program: reads `[--profile quick|full] [-o DIR] [--seeds N]
 /// [--list | --point K] [--help]`, asks, prints the verdict.
 /// Returns the exit code: 0 agrees (or help was asked for), 1 differs or undecided, or a law of
-/// nature was broken; 2 the user's mistake.
+/// nature was broken; 2 the user's mistake, or a file or another program failed.
 int run(int argc, char const* const* argv, Question const& asked,
-        std::function<Verdict(Experiment&)> const& answer);
+        std::function<Verdict(Experiment&)> const& ask);
 
 /// Lines `name: value` that say which program on which machine made a result.
 std::vector<std::string> provenance(Question const& asked, Profile profile);

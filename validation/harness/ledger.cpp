@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace clack::validation {
 namespace {
 
 using Kind = Entry::Kind;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Verdict verdict_of(std::vector<Entry> const& entries,
                    std::function<bool(Entry const&)> const& concerned) {
@@ -32,7 +34,7 @@ std::string expected(Comparison const& c) {
 void Ledger::compare(std::vector<std::string> state, Quantity quantity, Comparison comparison) {
     comparison.name = quantity.name;
     entries_.push_back(
-        {Kind::compared, std::move(state), std::move(quantity), std::move(comparison)});
+        {{}, Kind::compared, std::move(state), std::move(quantity), std::move(comparison)});
 }
 
 void Ledger::guide(std::vector<std::string> state, Quantity quantity, Comparison comparison) {
@@ -44,17 +46,19 @@ void Ledger::guide(std::vector<std::string> state, Quantity quantity, Comparison
 }
 
 void Ledger::fit(std::vector<std::string> state, Quantity quantity, double const p_value) {
-    entries_.push_back({Kind::fit, std::move(state), std::move(quantity), {}, p_value});
+    Comparison const none{
+        .measured = {nan, nan}, .reference = nan, .reference_error = nan, .margin = nan};
+    entries_.push_back(
+        {{.z = nan}, Kind::fit, std::move(state), std::move(quantity), none, p_value});
 }
 
 void Ledger::bound(std::vector<std::string> state, Quantity quantity, double const value,
                    double const reference, double const bound) {
     compare(std::move(state), std::move(quantity),
             {.measured = {value, 0}, .reference = reference, .margin = bound});
+    bool const within = std::abs(value - reference) <= bound; // not of what is not a number
     entries_.back().kind = Kind::bound;
-    // A value that is not a number is no agreement.
-    entries_.back().verdict =
-        std::abs(value - reference) <= bound ? Verdict::agrees : Verdict::differs;
+    entries_.back().verdict = within ? Verdict::agrees : Verdict::differs;
 }
 
 void Ledger::judge(Risks const& risks) {
@@ -66,14 +70,10 @@ void Ledger::judge(Risks const& risks) {
     }
     auto const judgements = validation::judge(comparisons, risks);
     auto const fitted = validation::judge(p_values, risks.false_alarm);
-    auto compared = judgements.begin();
-    auto tested = fitted.begin();
+    std::size_t compared = 0, tested = 0;
     for (Entry& entry : entries_) {
-        if (entry.kind == Kind::fit) entry.verdict = *tested++;
-        if (entry.kind != Kind::compared) continue;
-        entry.z = compared->z;
-        entry.against = compared->against;
-        entry.verdict = (compared++)->verdict;
+        if (entry.kind == Kind::compared) static_cast<Judgement&>(entry) = judgements[compared++];
+        if (entry.kind == Kind::fit) entry.verdict = fitted[tested++];
     }
 }
 
@@ -88,47 +88,36 @@ Verdict Ledger::verdict_at(std::vector<std::string> const& state) const {
 }
 
 Csv Ledger::csv() const {
-    std::vector<std::string> columns;
-    for (Key const& key : keys_) columns.push_back(key.column);
-    columns.insert(columns.end(), {"quantity", "measured", "measured_error", "reference",
-                                   "reference_error", "margin", "z", "p_value", "verdict"});
-    Csv csv(columns);
+    std::vector<std::string> keys;
+    for (Key const& key : keys_) keys.push_back(key.name);
+    Csv csv(cells(keys, "quantity", "measured", "measured_error", "reference", "reference_error",
+                  "margin", "z", "p_value", "verdict"));
     for (Entry const& entry : entries_) {
         Comparison const& c = entry.comparison;
-        bool const is_fit = entry.kind == Kind::fit;
-        std::vector<std::string> cells = entry.state;
-        cells.push_back(entry.quantity.name);
-        for (double const number : {c.measured.value, c.measured.error, c.reference,
-                                    c.reference_error, c.margin, entry.z})
-            cells.push_back(is_fit ? "nan" : cell(number));
-        cells.push_back(is_fit ? cell(entry.p_value) : "nan");
-        cells.push_back(entry.word());
-        csv.row(cells);
+        csv.row(entry.state, entry.quantity.name, c.measured, c.reference, c.reference_error,
+                c.margin, entry.z, entry.p_value, entry.word());
     }
     return csv;
 }
 
 std::string Ledger::table() const {
-    std::vector<std::string> head;
-    for (Key const& key : keys_) head.push_back(key.head);
-    head.insert(head.end(), {"quantity", "measured", "expected", "margin", "$z$", "verdict"});
+    std::vector<std::string> keys;
+    for (Key const& key : keys_) keys.push_back(key.symbol);
     std::vector<std::vector<std::string>> rows;
-    for (Entry const& entry : entries_) {
+    for (auto const& entry : entries_) {
         Comparison const& c = entry.comparison;
-        bool const has_chance = entry.kind != Kind::bound;
-        std::vector<std::string> row = entry.state;
-        row.push_back(entry.quantity.symbol);
+        auto numbers = cells(with_error(c.measured), expected(c), significant(c.margin, 2),
+                             fmt::format("${:+.1f}$", entry.z));
+        if (entry.kind == Kind::guide) numbers[2] = "";
         if (entry.kind == Kind::fit)
-            row.insert(row.end(), {fmt::format("$p = {:.2f}$", entry.p_value), "", "", ""});
-        else
-            row.insert(row.end(),
-                       {has_chance ? with_error(c.measured) : significant(c.measured.value, 6),
-                        expected(c), entry.kind == Kind::guide ? "" : significant(c.margin, 2),
-                        has_chance ? fmt::format("${:+.1f}$", entry.z) : ""});
-        row.push_back(entry.word());
-        rows.push_back(row);
+            numbers = {fmt::format("$p = {:.2f}$", entry.p_value), "", "", ""};
+        if (entry.kind == Kind::bound)
+            numbers[0] = significant(c.measured.value, 6), numbers[3] = "";
+        rows.push_back(cells(entry.state, entry.quantity.symbol, numbers, entry.word()));
     }
-    return tabular(std::string(keys_.size(), 'r') + "lllrrl", head, rows);
+    return tabular(std::string(keys.size(), 'r') + "lllrrl",
+                   cells(keys, "quantity", "measured", "expected", "margin", "$z$", "verdict"),
+                   rows);
 }
 
 std::string Ledger::text() const {
@@ -136,13 +125,14 @@ std::string Ledger::text() const {
     for (Entry const& entry : entries_) {
         Comparison const& c = entry.comparison;
         for (std::size_t k = 0; k < keys_.size(); ++k)
-            text += fmt::format("{} {}, ", keys_[k].column, entry.state.at(k));
-        text += entry.quantity.name;
-        text += entry.kind == Kind::fit
-                    ? fmt::format(": p = {:.3f}", entry.p_value)
-                    : fmt::format(": {} reference {} margin {:.2g} z = {:+.1f}",
-                                  with_error(c.measured), expected(c), c.margin, entry.z);
-        text += fmt::format("  {}\n", entry.word());
+            text += fmt::format("{} {}, ", keys_[k].name, entry.state.at(k));
+        std::string const found =
+            fmt::format("{} reference {} margin {:.2g} z = {:+.1f}", with_error(c.measured),
+                        expected(c), c.margin, entry.z);
+        text +=
+            fmt::format("{}: {}  {}\n", entry.quantity.name,
+                        entry.kind == Kind::fit ? fmt::format("p = {:.3f}", entry.p_value) : found,
+                        entry.word());
     }
     return text;
 }
@@ -156,6 +146,7 @@ Verdict conclude(Experiment& experiment, Ledger& ledger, Macros macros, Risks ri
     for (Entry const& entry : ledger.entries()) {
         comparisons += entry.kind == Kind::compared;
         largest_z = std::max(largest_z, entry.against);
+        experiment.note(entry.kind == Kind::fit ? deviate(entry.p_value) : entry.against);
     }
     macros.define("Profile", name_of(experiment.profile()));
     macros.define("Comparisons", cell(comparisons));

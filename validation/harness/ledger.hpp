@@ -4,33 +4,26 @@
 
 #include "validation/harness/experiment.hpp"
 
-#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace clack::validation {
 
-/// What names a state point: the column in the data and the head in the report's table.
-struct Key {
-    std::string column; // with its unit, if it has one
-    std::string head;   // TeX
-};
-
-/// What is measured: its name in the data and its symbol in the report's table.
+/// What is measured, or what tells state points apart.
 struct Quantity {
-    std::string name;
-    std::string symbol; // TeX
+    std::string name;   // in the data, with its unit if it has one
+    std::string symbol; // in the report's tables, TeX
 };
+using Key = Quantity;
 
-/// One line of the account.
-struct Entry {
+/// One line of the account. What a kind does not have is not a number.
+struct Entry : Judgement {
     enum class Kind { compared, guide, fit, bound } kind;
     std::vector<std::string> state;
     Quantity quantity;
     Comparison comparison = {};
-    double p_value = 1; // of a fit
-    double z = 0, against = 0;
-    Verdict verdict = Verdict::undecided;
+    double p_value = std::numeric_limits<double>::quiet_NaN(); // of a fit
 
     std::string word() const { return kind == Kind::guide ? "guide" : name_of(verdict); }
 };

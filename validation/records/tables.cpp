@@ -54,15 +54,15 @@ std::string in_tex(std::string_view const text) {
     return tex;
 }
 
-void Csv::row(std::vector<std::string> cells) {
-    if (cells.size() != columns_.size())
+void Csv::row(std::vector<std::string> row) {
+    if (row.size() != columns_.size())
         throw std::invalid_argument(
-            fmt::format("{} cells for {} columns", cells.size(), columns_.size()));
-    for (std::string const& text : cells)
+            fmt::format("{} cells for {} columns", row.size(), columns_.size()));
+    for (std::string const& text : row)
         if (text.find_first_of(",\n") != std::string::npos)
             throw std::invalid_argument(
                 fmt::format("cell = {}: holds a comma or a line end", text));
-    rows_.push_back(std::move(cells));
+    rows_.push_back(std::move(row));
 }
 
 std::string Csv::text(std::vector<std::string> const& header) const {

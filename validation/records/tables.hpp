@@ -17,6 +17,21 @@ std::string cell(double value);
 std::string cell(std::integral auto value) { return std::to_string(value); }
 inline std::string cell(std::string word) { return word; }
 
+/// Cells in a row, of numbers, words, Estimates, which are two, value and error, and rows.
+template <class... Parts> std::vector<std::string> cells(Parts const&... parts) {
+    std::vector<std::string> all;
+    auto const add = [&]<class Part>(Part const& part) {
+        if constexpr (std::same_as<Part, Estimate>)
+            all.insert(all.end(), {cell(part.value), cell(part.error)});
+        else if constexpr (std::same_as<Part, std::vector<std::string>>)
+            all.insert(all.end(), part.begin(), part.end());
+        else
+            all.push_back(cell(part));
+    };
+    (add(parts), ...);
+    return all;
+}
+
 /// A part of something, in per cent: "0.2 %".
 std::string percent(double part);
 
@@ -39,27 +54,14 @@ public:
 
     /// Adds a row. Throws std::invalid_argument unless it has a cell for each column, without
     /// commas.
-    void row(std::vector<std::string> cells);
-    /// The same from numbers and words; an Estimate is two cells, value and error.
-    template <class First, class... Rest>
-    requires(sizeof...(Rest) > 0) void row(First const& first, Rest const&... rest) {
-        std::vector<std::string> cells;
-        add(cells, first);
-        (add(cells, rest), ...);
-        row(std::move(cells));
-    }
+    void row(std::vector<std::string> row);
+    template <class... Parts>
+    requires(sizeof...(Parts) > 1) void row(Parts const&... parts) { row(cells(parts...)); }
 
     /// The file's text: `header` lines behind `# `, the names, the rows.
     std::string text(std::vector<std::string> const& header) const;
 
 private:
-    static void add(std::vector<std::string>& cells, auto const& value) {
-        cells.push_back(cell(value));
-    }
-    static void add(std::vector<std::string>& cells, Estimate const& estimate) {
-        cells.insert(cells.end(), {cell(estimate.value), cell(estimate.error)});
-    }
-
     std::vector<std::string> columns_;
     std::vector<std::vector<std::string>> rows_;
 };

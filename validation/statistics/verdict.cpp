@@ -15,11 +15,6 @@ namespace clack::validation {
 
 namespace {
 
-std::optional<double> worst_z;
-constexpr double least_p = 1e-300; // of which there is still a deviate
-
-void note(double const z) { worst_z = std::max(z, worst_z.value_or(0)); }
-
 /// z and the two p-values of one comparison alone.
 Judgement tested(Comparison const& comparison) {
     Estimate const& measured = comparison.measured;
@@ -92,7 +87,6 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
     std::vector<double> const adjusted = holm(p_values);
     for (std::size_t k = 0; k < judgements.size(); ++k) {
         Judgement& judgement = judgements[k];
-        if (judgement.against > 0) note(judgement.against);
         judgement.p_differs = adjusted[k];
         if (judgement.p_differs < risks.false_alarm) {
             judgement.verdict = Verdict::differs;
@@ -104,16 +98,16 @@ std::vector<Judgement> judge(std::vector<Comparison> const& comparisons, Risks c
 }
 
 std::vector<Verdict> judge(std::vector<double> const& p_values, double const false_alarm) {
-    for (double const p : p_values) note(gsl_cdf_ugaussian_Qinv(std::max(p, least_p) / 2));
     std::vector<Verdict> verdicts;
     for (double const p : holm(p_values))
         verdicts.push_back(p < false_alarm ? Verdict::differs : Verdict::agrees);
     return verdicts;
 }
 
-std::optional<double> worst_z_judged() { return worst_z; }
-
-void forget_judged() { worst_z.reset(); }
+double deviate(double const p_value) {
+    constexpr double least = 1e-300; // of which there is still one
+    return gsl_cdf_ugaussian_Qinv(std::max(p_value, least) / 2);
+}
 
 Verdict together(std::vector<Verdict> const& verdicts) {
     auto const any = [&](Verdict const verdict) {
@@ -121,12 +115,6 @@ Verdict together(std::vector<Verdict> const& verdicts) {
     };
     if (any(Verdict::differs)) return Verdict::differs;
     return verdicts.empty() || any(Verdict::undecided) ? Verdict::undecided : Verdict::agrees;
-}
-
-Verdict together(std::vector<Judgement> const& judgements) {
-    std::vector<Verdict> verdicts;
-    for (Judgement const& judgement : judgements) verdicts.push_back(judgement.verdict);
-    return together(verdicts);
 }
 
 } // namespace clack::validation

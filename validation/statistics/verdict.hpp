@@ -5,7 +5,6 @@
 #include "validation/statistics/estimate.hpp"
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,16 +75,11 @@ double fisher(std::vector<double> const& p_values);
 /// depends on a companion Comparison, whose margin says how far off a law would be seen.
 std::vector<Verdict> judge(std::vector<double> const& p_values, double false_alarm);
 
-/// The largest |z| against agreement that this program has judged so far, a p-value being worth the
-/// normal deviate that is as rare: for the summary that each experiment leaves. Nothing before the
-/// first.
-std::optional<double> worst_z_judged();
-/// Begins again, for a program that judges what it knows to be wrong.
-void forget_judged();
+/// The normal deviate whose |z| is as rare as the p-value.
+double deviate(double p_value);
 
 /// The verdict on several together: `differs` if one does, else `undecided` if one is, else
 /// `agrees`.
 Verdict together(std::vector<Verdict> const& verdicts);
-Verdict together(std::vector<Judgement> const& judgements);
 
 } // namespace clack::validation

@@ -87,6 +87,40 @@ BOOST_AUTO_TEST_CASE(what_is_undecided_is_asked_again_of_more_replicates) {
     BOOST_TEST(asked == 1);
 }
 
+// So that three looks raise 1.2 times the false alarms of one.
+BOOST_AUTO_TEST_CASE(later_looks_have_a_tenth_of_the_risk_of_the_first) {
+    TemporaryDirectory const directory("experiment");
+    // A value that lies so far beyond its margin at one look, and at the others on it.
+    auto const verdict_with = [&](int const look, double const errors_beyond) {
+        Verdict last = Verdict::agrees;
+        run_with({"-o", directory.path.c_str()}, [&](Experiment& experiment) {
+            experiment.campaign().replicates(
+                {{"a", 2, [](std::uint64_t) { return Measurement{1}; }}});
+            Ledger ledger({Key{"sum", "$s$"}});
+            double const beyond = experiment.look() == look ? errors_beyond : 0;
+            ledger.compare({"2"}, {"four", "$4$"},
+                           {.measured = {1 + beyond, 1}, .reference = 0, .margin = 1});
+            last = conclude(experiment, ledger, Macros("Demo"), {.false_alarm = 1e-3});
+            BOOST_TEST(text_of(directory.path / "demo.tex")
+                           .find(experiment.look() == 1
+                                     ? "FalseAlarmPercent}{0.1}"
+                                     : "FalseAlarmPercent}{0.01}") != std::string::npos);
+            return last;
+        });
+        return last;
+    };
+    constexpr double rare = 3.35, rarer = 4; // 4e-4, 3e-5
+    BOOST_TEST((verdict_with(1, rare) == Verdict::differs));
+    for (int const look : {2, 3}) {
+        BOOST_TEST((verdict_with(look, rare) == Verdict::undecided));
+        // The summary's worst z is the last look's.
+        BOOST_TEST(text_of(directory.path / "demo_verdict.csv")
+                       .find(look == 3 ? ",none,4.35,undecided," : ",none,1,undecided,") !=
+                   std::string::npos);
+        BOOST_TEST((verdict_with(look, rarer) == Verdict::differs));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(experiment_that_is_not_shared_out_is_not_asked_for_a_share) {
     TemporaryDirectory const directory("experiment");
     BOOST_TEST(run_with({"-o", directory.path.c_str(), "--list"}, never) == 0);
@@ -120,6 +154,24 @@ BOOST_AUTO_TEST_CASE(results_say_where_they_come_from) {
     BOOST_TEST(text_of(directory.path / "demo_table.tex").starts_with("\\begin{tabular}"));
     BOOST_TEST(text_of(directory.path / "demo_verdict.tex")
                    .starts_with("\\texttt{demo} & 0 & none & -- & agrees & "));
+}
+
+BOOST_AUTO_TEST_CASE(fit_is_worth_the_deviate_that_is_as_rare_in_the_summary) {
+    TemporaryDirectory const directory("experiment");
+    auto const ask = [](Experiment& experiment) {
+        Ledger ledger({Key{"sum", "$s$"}});
+        ledger.fit({"2"}, {"four", "$4$"}, 0.0455);
+        return conclude(experiment, ledger, Macros("Demo"));
+    };
+    BOOST_TEST(run_with({"-o", directory.path.c_str()}, ask) == 0);
+    BOOST_TEST(text_of(directory.path / "demo_verdict.tex").find("& none & 2.0 & agrees") !=
+               std::string::npos);
+    BOOST_TEST(
+        text_of(directory.path / "demo.csv").find("2,four,nan,nan,nan,nan,nan,nan,0.0455,agrees") !=
+        std::string::npos);
+    BOOST_TEST(
+        text_of(directory.path / "demo_table.tex").find("2 & $4$ & $p = 0.05$ &  &  &  & agrees") !=
+        std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(ledger_is_judged_together_and_left_behind) {

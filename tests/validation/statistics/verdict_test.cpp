@@ -127,14 +127,10 @@ BOOST_AUTO_TEST_CASE(one_difference_spoils_all) {
     BOOST_TEST((together(std::vector<Verdict>{}) == undecided)); // nothing was asked
 }
 
-BOOST_AUTO_TEST_CASE(worst_of_all_that_was_judged_is_kept) {
-    forget_judged();
-    BOOST_TEST(!worst_z_judged().has_value());
-    judge({Comparison{"x", {7, 1}, 10, 0, 1}, Comparison{"y", {11, 1}, 10, 0, 1}});
-    BOOST_TEST(worst_z_judged().value() == 3);
-    judge(std::vector{1e-9}, 0.01); // rarer than three standard errors
-    BOOST_TEST(worst_z_judged().value() == 6.1, boost::test_tools::tolerance(0.01));
-    forget_judged();
+BOOST_AUTO_TEST_CASE(p_value_is_worth_the_deviate_that_is_as_rare) {
+    BOOST_TEST(deviate(0.05) == 1.95996398, boost::test_tools::tolerance(1e-8));
+    BOOST_TEST(deviate(1) == 0);
+    BOOST_TEST(std::isfinite(deviate(0)));
 }
 
 BOOST_AUTO_TEST_CASE(holm_adjusts_as_worked_by_hand) {
