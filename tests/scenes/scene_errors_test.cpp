@@ -1,8 +1,5 @@
 #include "tests/scenes/scene_text.hpp"
 
-#include <filesystem>
-#include <fstream>
-
 using namespace clack;
 using namespace clack::test;
 
@@ -271,62 +268,4 @@ BOOST_AUTO_TEST_CASE(balls_slower_than_the_clock_can_follow_are_refused) {
           {{"[1, 0, 0]", "[1e-170, 0, 0]",
             "distribution = \"explicit\": the fastest ball has speed 1e-170, which must"}});
     BOOST_TEST(start_message(changed(endless, "[1, 0, 0]", "[1e-40, 0, 0]")) == "");
-}
-
-BOOST_AUTO_TEST_CASE(starts_from_a_file_are_checked) {
-    auto const text = changed(
-        changed(four_balls, "[[1, 1, 1], [3, 1, 1], [5, 1, 1], [7, 1, 1]]", "0"),
-        "arrangement = \"explicit\"\npositions = 0", "arrangement = \"file\"\npath = \"start.h5\"");
-    auto const reader = [](Eigen::Matrix3Xd const& places) {
-        return [places](std::string const&) { return Start{places, 0 * places}; };
-    };
-    Eigen::Matrix3Xd places(3, 4);
-    places << 1, 3, 5, 7, 1, 1, 1, 1, 1, 1, 1, 1;
-    BOOST_TEST(start_message(text, reader(places)) == "");
-    BOOST_TEST(beginning(start_message(text), "path = \"start.h5\": no trajectory") ==
-               "path = \"start.h5\": no trajectory");
-    std::string expected = "places of 3 balls where count = 4: they must agree";
-    BOOST_TEST(beginning(start_message(text, reader(places.leftCols(3))), expected) == expected);
-    places(2, 1) = std::nan("");
-    expected = "ball 1 has z = nan: must be a finite number";
-    BOOST_TEST(beginning(start_message(text, reader(places)), expected) == expected);
-    places(2, 1) = 1;
-    places(0, 1) = 1.5;
-    expected = "balls 0 and 1 overlap by 0.5 diameters";
-    BOOST_TEST(beginning(start_message(text, reader(places)), expected) == expected);
-}
-
-BOOST_AUTO_TEST_CASE(velocities_from_a_file_are_checked) {
-    auto const text = changed(correct_scene, "\"maxwell\"", "\"file\"\npath = \"/a/start.h5\"");
-    auto const reader = [](std::string const& path) {
-        BOOST_TEST(path == "/a/start.h5");
-        Eigen::Matrix3Xd velocities = Eigen::Matrix3Xd::Ones(3, 100);
-        velocities(1, 42) = std::nan("");
-        return Start{velocities, velocities};
-    };
-    std::string const expected = "ball 42 has vy = nan: must be a finite number";
-    BOOST_TEST(beginning(start_message(text, reader), expected) == expected);
-}
-
-BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_are_refused) {
-    auto const folder = std::filesystem::temp_directory_path() / "clack_scene_errors";
-    std::filesystem::create_directories(folder);
-    auto const path = [&](std::string const& name) { return (folder / name).string(); };
-    std::ofstream(path("empty.toml"));
-    std::ofstream(path("blank.toml")) << " \n\n";
-    std::ofstream(path("comment.toml")) << "# nothing\n";
-    std::ofstream(path("good.toml")) << correct_scene;
-    auto const said = [&](std::string const& name) {
-        auto const message = message_of([&] { read_scene(path(name)); });
-        return message.empty() ? "" : message.substr(message.find(": "));
-    };
-    BOOST_TEST(said("none.toml") == ": no such file; name a scene file (.toml)");
-    BOOST_TEST(said("") == ": is a directory; name a scene file (.toml)");
-    std::string const empty = ": is empty; a scene needs [container], [balls], [velocities] and ";
-    BOOST_TEST(beginning(said("empty.toml"), empty) == empty);
-    BOOST_TEST(beginning(said("blank.toml"), empty) == empty);
-    BOOST_TEST(said("good.toml") == "");
-    BOOST_TEST(beginning(message_of([&] { read_scene(path("comment.toml")); }),
-                         "[balls] is miss") == "[balls] is miss");
-    std::filesystem::remove_all(folder);
 }
