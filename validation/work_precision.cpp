@@ -74,7 +74,7 @@ Csv points_of(std::vector<Row> const& rows) {
 
 Verdict ask(Experiment& experiment) {
     std::vector<Row> const rows = measured(experiment);
-    Ledger ledger(std::vector<Key>{{"type", "type"}});
+    Ledger ledger({{"type", "type"}});
     Macros macros("WorkPrecision");
     auto const compare = [&](std::string const& type, Quantity const& quantity,
                              std::string const& macro, Comparison const& comparison) {

@@ -4,6 +4,7 @@
 
 #include "validation/harness/experiment.hpp"
 
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <vector>
@@ -30,7 +31,7 @@ struct Entry : Judgement {
 
 class Ledger {
 public:
-    explicit Ledger(std::vector<Key> keys) : keys_(std::move(keys)) {}
+    explicit Ledger(std::initializer_list<Key> keys) : keys_(keys) {}
 
     /// A number that is judged. The comparison needs no name. `state` has a cell for each key.
     void compare(std::vector<std::string> state, Quantity quantity, Comparison comparison);
