@@ -16,9 +16,8 @@ enum class Form { text, json };
 /// Exit codes.
 constexpr int exit_done = 0, exit_law_broken = 1, exit_mistake = 2;
 
-struct RunOptions {
-    std::string scene;
-    std::string output; // empty: the scene's stem in the current folder
+/// How something is run, from its start or from where it stopped.
+struct RunSettings {
     std::vector<std::string> overrides;
     Progress progress = Progress::shown;
     ShowHash hash = ShowHash::no;
@@ -26,16 +25,16 @@ struct RunOptions {
     int threads = 1; // or 2
 };
 
+struct RunOptions : RunSettings {
+    std::string scene;
+    std::string output; // empty: the scene's stem in the current folder
+};
+
 /// From a scene to a trajectory.
 int run_command(RunOptions const& options);
 
-struct ResumeOptions {
+struct ResumeOptions : RunSettings {
     std::string trajectory;
-    std::vector<std::string> overrides;
-    Progress progress = Progress::shown;
-    ShowHash hash = ShowHash::no;
-    Form form = Form::text;
-    int threads = 1; // or 2
 };
 
 /// Goes on where a file stops, to the same bits.

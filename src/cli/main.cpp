@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/memory.hpp"
+#include "cli/view_options.hpp"
 #include "io/file_errors.hpp"
 #include "io/provenance.hpp"
 #include "simulation/engine.hpp"
@@ -10,7 +11,6 @@
 #include <csignal>
 #include <cstdio>
 #include <functional>
-#include <map>
 #include <new>
 #include <string>
 
@@ -29,7 +29,7 @@ char const* const footer =
     "resumable.";
 
 /// Options that `run` and `resume` share.
-template <class Options> void add_run_options(CLI::App& command, Options& options) {
+void add_run_options(CLI::App& command, RunSettings& options) {
     command
         .add_option(
             "--set", options.overrides,
@@ -119,124 +119,11 @@ void add_export(CLI::App& app, std::function<int()>& chosen, ExportOptions& opti
     command.callback([&] { chosen = [&] { return export_command(options); }; });
 }
 
-/// "1600x1200"
-void read_size(std::string const& text, view::Options& options) {
-    int width = 0, height = 0, end = 0;
-    constexpr int most = 4096; // sampled three times as finely, still a size for any OpenGL
-    bool const read = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end) == 2 &&
-                      static_cast<std::size_t>(end) == text.size();
-    if (!read || width < 16 || height < 16 || width > most || height > most)
-        throw CLI::ValidationError("--size", text + ": must be WIDTHxHEIGHT, each 16 to 4096");
-    options.width = width;
-    options.height = height;
-}
-
-/// What a word stands for.
-template <class Meaning>
-Meaning meaning_of(std::string const& option, std::string const& word,
-                   std::map<std::string, Meaning> const& meanings) {
-    if (auto const found = meanings.find(word); found != meanings.end()) return found->second;
-    std::string words;
-    for (auto const& [known, meaning] : meanings) words += (words.empty() ? "" : ", ") + known;
-    throw CLI::ValidationError(option, word + ": must be one of " + words);
-}
-
-void add_camera_options(CLI::App& command, view::Options& options) {
-    using view::Background;
-    using view::Colouring;
-    command
-        .add_option_function<std::string>(
-            "--colour,--color",
-            [&](std::string const& word) {
-                options.colouring = meaning_of<Colouring>("--colour", word,
-                                                          {{"speed", Colouring::speed},
-                                                           {"energy", Colouring::energy},
-                                                           {"collisions", Colouring::collisions},
-                                                           {"side", Colouring::side}});
-            },
-            "by speed, energy, collisions or side (the half of the cube it started in) [speed]")
-        ->type_name("WHAT");
-    command
-        .add_option_function<std::string>(
-            "--background",
-            [&](std::string const& word) {
-                options.background = meaning_of<Background>(
-                    "--background", word,
-                    {{"light", Background::light}, {"dark", Background::dark}});
-            },
-            "light or dark [light; of the window: dark]")
-        ->type_name("WHICH");
-    command.add_option("--azimuth", options.azimuth, "where the camera stands [-60]")
-        ->type_name("DEGREES");
-    command.add_option("--elevation", options.elevation, "how high it stands [20]")
-        ->type_name("DEGREES")
-        ->check(CLI::Range(-90.0, 90.0).description(""));
-    command.add_option("--zoom", options.zoom, "1 shows the whole cube")
-        ->type_name("FACTOR")
-        ->check(CLI::Range(0.3, 100.0).description(""));
-}
-
-void add_cut_options(CLI::App& command, view::Options& options) {
-    using view::Face;
-    command.add_option("--clip", options.clip, "share of the cube that is drawn [1]")
-        ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0).description(""));
-    command
-        .add_option_function<std::string>(
-            "--clip-from",
-            [&](std::string const& word) {
-                options.clip_from = meaning_of<Face>("--clip-from", word,
-                                                     {{"left", Face::left},
-                                                      {"right", Face::right},
-                                                      {"front", Face::front},
-                                                      {"back", Face::back},
-                                                      {"bottom", Face::bottom},
-                                                      {"top", Face::top}});
-            },
-            "the face at which the rest is cut away: left, right (of x), front, back (of y), "
-            "bottom or top (of z) [front]")
-        ->type_name("FACE");
-}
-
-void add_picture_options(CLI::App& command, view::Options& options) {
-    command.add_option("--screenshot", options.screenshot, "picture to draw, without a display")
-        ->type_name("OUT.png");
-    command.add_option("--movie", options.movie, "movie to draw, without a display")
-        ->type_name("OUT.mp4");
-    command
-        .add_option(
-            "--time", options.times,
-            "of the picture, or the movie's start; several times: pictures side by side, or one "
-            "below the other if they are three times as wide as high [0; of a file: its last]")
-        ->type_name("T[,T...]")
-        ->delimiter(',');
-    command
-        .add_option_function<std::string>(
-            "--size", [&](std::string const& text) { read_size(text, options); },
-            "of the picture or the window [1000x750]")
-        ->type_name("WIDTHxHEIGHT");
-    command.add_option("--duration", options.duration, "of the movie in seconds [10]")
-        ->type_name("S")
-        ->check(CLI::Range(0.01, 36000.0).description(""));
-    command.add_option("--fps", options.frame_rate, "frames in a second of the movie [60]")
-        ->type_name("N")
-        ->check(CLI::Range(1, 240).description(""));
-    command.add_option("--speed", options.speed, "simulated time in a second [1]")
-        ->type_name("FACTOR")
-        ->check(CLI::Range(1e-9, 1e9).description(""));
-}
-
 void add_view(CLI::App& app, std::function<int()>& chosen, view::Options& options) {
     auto& command = *app.add_subcommand(
         "view", "see a scene run, or a trajectory replayed: in a window, as a picture or a movie");
     add_scene_or_trajectory(command, options.path, options.overrides);
-    add_picture_options(command, options);
-    add_camera_options(command, options);
-    add_cut_options(command, options);
-    command
-        .add_option("--visit", options.visit,
-                    "file of what to do in the window, one command a line: for demonstrations")
-        ->type_name("FILE");
+    add_view_options(command, options);
     command.footer("In the window ? lists the keys.");
     command.callback([&] { chosen = [&] { return view_command(options); }; });
 }
