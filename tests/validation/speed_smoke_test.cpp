@@ -95,15 +95,19 @@ BOOST_AUTO_TEST_CASE(parts_are_told_apart) {
     BOOST_TEST(share(by_heap, Part::queue) > 0.05);
 }
 
-// The mutant: `fast` that scans all balls.
 BOOST_AUTO_TEST_CASE(bytes_and_parts_are_measured_of_every_method) {
     Point watched = small;
     watched.watched = true;
+    double const begin = processor_seconds();
     Measurement const all = measure(watched, 1);
+    double const taken = processor_seconds() - begin;
+    double timed = 0;
     for (std::size_t const b : {in_periodic, in_walls}) {
         for (std::size_t const method : {table, heap, fast}) {
+            timed += all[place_of(b, method)] * static_cast<double>(small.collisions_of(method));
             BOOST_TEST(all[place_of(b, method)] > 0);
             BOOST_TEST(all[place_of(b, method, bytes)] > sizeof(Ball<double>));
+            BOOST_TEST(all[place_of(b, method, bytes)] < 50 * sizeof(Ball<double>));
             auto const parts =
                 all.begin() + static_cast<std::ptrdiff_t>(place_of(b, method, first_part));
             double const sum = std::accumulate(parts, parts + part_count, 0.0);
@@ -111,8 +115,20 @@ BOOST_AUTO_TEST_CASE(bytes_and_parts_are_measured_of_every_method) {
         }
         BOOST_TEST(std::isnan(all[place_of(b, peer)]));
     }
+    BOOST_TEST(timed < taken);
+    BOOST_TEST(timed > 1e-3 * taken); // beside starts and the search for parts
+    // Each method's parts are its own: the table gathers nothing and predicts everything.
+    auto const share = [&](std::size_t const method, Part const part) {
+        return all[place_of(in_periodic, method, first_part + static_cast<std::size_t>(part))];
+    };
+    BOOST_TEST(share(table, Part::search) < 0.1);
+    for (std::size_t const method : {heap, fast}) {
+        BOOST_TEST(share(method, Part::search) > 0.02);
+        BOOST_TEST(share(table, Part::prediction) > share(method, Part::prediction));
+    }
 }
 
+// The mutant: `fast` that scans all balls.
 BOOST_AUTO_TEST_CASE(fast_method_that_is_slow_is_caught) {
     Ledger const slow =
         ledger_with([](System const& system, Method const method, Start const& start) {
