@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace clack::view {
 
@@ -25,11 +26,19 @@ Colour colour_of(Frame const& frame, Colouring colouring, double top, Eigen::Ind
     case Colouring::energy:
         return scale_colour(0.5 * frame.system.mass * velocity.squaredNorm() / top);
     case Colouring::collisions:
-        if (frame.collisions.empty()) return {150, 150, 150};
-        return scale_colour(frame.collisions[static_cast<std::size_t>(ball)] / top);
+        if (frame.pasts.empty()) return {150, 150, 150};
+        return scale_colour(frame.pasts[static_cast<std::size_t>(ball)].collisions / top);
     default:
         return (*frame.start_places)(0, ball) < frame.system.side / 2 ? left_colour : right_colour;
     }
+}
+
+std::uint8_t glow_of(Frame const& frame, Look const& look, Eigen::Index ball) {
+    if (frame.pasts.empty()) return 0;
+    double const last = frame.pasts[static_cast<std::size_t>(ball)].last_time;
+    double const waits = std::max(frame.snapshot.time - last, 0.0) / look.flash_wait;
+    constexpr double dark = 6; // then less than one in 255 is left
+    return waits > dark ? 0 : static_cast<std::uint8_t>(255 * std::exp(-waits));
 }
 
 void add_cube(Picture& picture, Background background) {
@@ -151,8 +160,9 @@ double scale_top(Frame const& frame, Colouring colouring) {
     case Colouring::energy:
         return 4 * energy;
     case Colouring::collisions: {
-        auto const most = std::max_element(frame.collisions.begin(), frame.collisions.end());
-        return most == frame.collisions.end() ? 1 : std::max(1.0, static_cast<double>(*most));
+        double most = 1;
+        for (Past const& past : frame.pasts) most = std::max<double>(most, past.collisions);
+        return most;
     }
     default:
         return 1;
@@ -160,21 +170,22 @@ double scale_top(Frame const& frame, Colouring colouring) {
 }
 
 Picture picture_of(Frame const& frame, Look const& look) {
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(frame.system.count));
+    std::iota(all.begin(), all.end(), 0);
+    return picture_of(frame, look, all);
+}
+
+Picture picture_of(Frame const& frame, Look const& look, std::vector<Eigen::Index> const& balls) {
     Picture picture;
     System const& system = frame.system;
     picture.background = look.background;
     picture.radius = static_cast<float>(system.diameter / system.side / 2);
     picture.cut = look.cut;
     double const top = scale_top(frame, look.colouring);
-    bool const flash = look.flashes == Visible::yes && !frame.last_times.empty();
-    picture.balls.reserve(static_cast<std::size_t>(system.count));
-    for (Eigen::Index ball = 0; ball < system.count; ++ball) {
-        auto const i = static_cast<std::size_t>(ball);
-        std::uint8_t glow = 0;
-        if (flash) {
-            double const age = frame.snapshot.time - frame.last_times[i];
-            glow = static_cast<std::uint8_t>(255 * std::exp(-std::max(age, 0.0) / look.flash_wait));
-        }
+    picture.balls.reserve(balls.size());
+    for (Eigen::Index const ball : balls) {
+        auto const glow =
+            look.flashes == Visible::yes ? glow_of(frame, look, ball) : std::uint8_t{};
         auto const colour = colour_of(frame, look.colouring, top, ball);
         each_place(system, frame.snapshot.positions.col(ball), [&](Eigen::Vector3f const& place) {
             picture.balls.push_back({place.x(), place.y(), place.z(), colour, glow});

@@ -21,6 +21,8 @@ struct Look {
 };
 
 Picture picture_of(Frame const& frame, Look const& look);
+/// With these balls only.
+Picture picture_of(Frame const& frame, Look const& look, std::vector<Eigen::Index> const& balls);
 
 /// Of the sides of the start, Okabe and Ito's; of rings, around the next pair and the next partner.
 constexpr Colour left_colour{0, 114, 178}, right_colour{230, 159, 0}, pair_colour{230, 80, 160},

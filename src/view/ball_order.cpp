@@ -24,14 +24,6 @@ Shares shares_of(float angle, float tangent) {
             std::sqrt(1 + tangent * tangent) * (1 + angle * (0.5f + tangent))};
 }
 
-constexpr std::size_t nearest_in_draft = 15'000, farther_in_draft = 15'000;
-
-/// Behind the nearest every so many-th ball is enough for a draft, of those that are seen or not.
-std::size_t step_behind(std::size_t balls, Detail detail) {
-    if (detail == Detail::whole || balls <= nearest_in_draft + farther_in_draft) return 1;
-    return (balls - nearest_in_draft) / farther_in_draft + 1;
-}
-
 Eigen::Vector3f place_of(DrawnBall const& ball) { return {ball.x, ball.y, ball.z}; }
 
 } // namespace
@@ -111,8 +103,7 @@ void BallOrder::cover(Disc const& disc) {
     });
 }
 
-VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, PixelSize size,
-                                Detail detail) {
+VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, PixelSize size) {
     auto const eye = camera.eye();
     Eigen::Matrix4f const projection = camera.projection(size);
     auto const height = static_cast<float>(size.height), width = static_cast<float>(size.width);
@@ -121,11 +112,8 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
         0.5f * std::sqrt(1 + size.aspect() * size.aspect()) / camera.focal_length();
     sort_by_distance(picture, eye);
     clear_screen(scale / camera.distance(), size);
-    std::size_t const step = step_behind(order_.size(), detail);
     VisibleBalls visible;
-    for (std::size_t rank = 0; rank < order_.size(); ++rank) {
-        auto const i = order_[rank];
-        if (rank > nearest_in_draft && i % step != 0) continue;
+    for (auto const i : order_) {
         DrawnBall const& ball = picture.balls[i];
         if (picture.cut.hides(place_of(ball))) continue;
         Eigen::Vector4f const projected = projection * place_of(ball).homogeneous();
@@ -146,9 +134,9 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
     return visible;
 }
 
-Prepared BallOrder::prepare(Picture picture, Camera const& camera, PixelSize size, Detail detail) {
+Prepared BallOrder::prepare(Picture picture, Camera const& camera, PixelSize size) {
     Prepared prepared{std::move(picture), camera, {}};
-    prepared.visible = visible(prepared.picture, camera, size, detail);
+    prepared.visible = visible(prepared.picture, camera, size);
     prepared.picture.balls = {};
     return prepared;
 }

@@ -18,10 +18,6 @@ struct VisibleBalls {
     std::vector<DrawnBall> near, dots;
 };
 
-/// A draft leaves out some of the farther balls when they are very many: it stands for a blink,
-/// while a hand moves.
-enum class Detail { whole, draft };
-
 /// A picture on its way to the graphics card.
 struct Prepared {
     Picture picture; // its balls are in `visible`
@@ -32,10 +28,8 @@ struct Prepared {
 /// Leaves out what is outside the picture, cut away, or hidden behind nearer balls.
 class BallOrder {
 public:
-    VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size,
-                         Detail detail = Detail::whole);
-    Prepared prepare(Picture picture, Camera const& camera, PixelSize size,
-                     Detail detail = Detail::whole);
+    VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size);
+    Prepared prepare(Picture picture, Camera const& camera, PixelSize size);
 
     /// Radius below which a ball is a dot  [pixels]
     static constexpr float dot_radius = 3;

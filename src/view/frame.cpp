@@ -11,8 +11,7 @@ Frame frame_of(Source const& source, std::shared_ptr<Eigen::Matrix3Xd const> sta
     frame.sample = source.sample();
     frame.start_places = std::move(start_places);
     if (History const* const history = source.history()) {
-        frame.collisions = history->collisions();
-        frame.last_times = history->last_times();
+        frame.pasts = history->pasts();
         frame.total_collisions = history->total();
         frame.traced = history->traced();
         frame.path = history->path();

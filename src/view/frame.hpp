@@ -11,8 +11,7 @@ struct Frame {
     System system;
     Snapshot snapshot;
     Sample sample;
-    std::vector<std::uint32_t> collisions; // of each ball; empty where not known
-    std::vector<double> last_times;        // of each ball's last collision; likewise
+    std::vector<Past> pasts; // of each ball; empty where not known
     std::uint64_t total_collisions = 0;
     std::int64_t traced = -1;
     std::vector<Bend> path; // of the traced ball

@@ -18,9 +18,9 @@ void History::operator()(Collision<double> const& collision) {
 }
 
 void History::take_part(std::int64_t ball, double time) {
-    auto const i = static_cast<std::size_t>(ball);
-    ++collisions_[i];
-    last_times_[i] = time;
+    Past& past = pasts_[static_cast<std::size_t>(ball)];
+    ++past.collisions;
+    past.last_time = time;
 }
 
 void History::bend(Bend const& bend) {

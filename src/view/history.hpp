@@ -15,18 +15,19 @@ struct Bend {
     Eigen::Vector3d place, velocity;
 };
 
+/// What a ball has been through. Side by side: a collision touches one cache line of each ball.
+struct Past {
+    double last_time = -std::numeric_limits<double>::infinity(); // of its last collision
+    std::uint32_t collisions = 0;                                // with balls and with walls
+};
+
 class History final : public CollisionObserver {
 public:
-    explicit History(std::int64_t count = 0)
-        : collisions_(static_cast<std::size_t>(count), 0),
-          last_times_(static_cast<std::size_t>(count), -std::numeric_limits<double>::infinity()) {}
+    explicit History(std::int64_t count = 0) : pasts_(static_cast<std::size_t>(count)) {}
 
     void operator()(Collision<double> const& collision) override;
 
-    /// Number of collisions of each ball, with balls and with walls.
-    std::vector<std::uint32_t> const& collisions() const { return collisions_; }
-    /// Time of each ball's last collision; minus infinity before its first.
-    std::vector<double> const& last_times() const { return last_times_; }
+    std::vector<Past> const& pasts() const { return pasts_; } // of each ball
     /// Collisions seen, of both kinds, and the time of the last.
     std::uint64_t total() const { return total_; }
     double last_time() const { return last_time_; }
@@ -40,8 +41,7 @@ private:
     void take_part(std::int64_t ball, double time);
     void bend(Bend const& bend);
 
-    std::vector<std::uint32_t> collisions_;
-    std::vector<double> last_times_;
+    std::vector<Past> pasts_;
     std::uint64_t total_ = 0;
     double last_time_ = -std::numeric_limits<double>::infinity();
     std::int64_t traced_ = -1;

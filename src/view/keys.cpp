@@ -2,11 +2,18 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 namespace clack::view {
 
 namespace {
 
 void toggle(Visible& what) { what = what == Visible::yes ? Visible::no : Visible::yes; }
+
+template <class Is> Key const* find_key(Is const& is) {
+    auto const found = std::find_if(keys().begin(), keys().end(), is);
+    return found == keys().end() ? nullptr : &*found;
+}
 
 } // namespace
 
@@ -45,6 +52,14 @@ std::vector<Key> const& keys() {
         {GLFW_KEY_ESCAPE, "escape", "close", [](Session& s) { s.closing = true; }},
     };
     return all;
+}
+
+Key const* key_of(int code) {
+    return find_key([&](Key const& key) { return key.code == code; });
+}
+
+Key const* key_of(std::string const& name) {
+    return find_key([&](Key const& key) { return key.name == name; });
 }
 
 } // namespace clack::view

@@ -68,7 +68,6 @@ Stop Live::work(Goal const& goal) {
     Stop const stop = engine_->advance(part, equilibrated_ ? &history_ : nullptr);
     double const seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     if (stop == Stop::events && part.events == slice_) {
-        events_since_kept_ += part.events;
         if (seconds < slice_seconds / 2) slice_ *= 2;
         if (seconds > slice_seconds * 2) slice_ = std::max<std::uint64_t>(slice_ / 2, 1);
     }
@@ -88,8 +87,8 @@ Progress Live::advance(double until) {
         return Progress::under_way;
     }
     if (until <= time()) return Progress::arrived;
-    constexpr std::uint64_t events_between = 1 << 18; // fractions of a second to do again
-    if (events_since_kept_ > events_between) keep();
+    constexpr std::uint64_t collisions_between = 1 << 17; // fractions of a second to do again
+    if (history_.total() > kept_.back().history.total() + collisions_between) keep();
     Goal goal;
     goal.time = until;
     return work(goal) == Stop::events ? Progress::under_way : Progress::arrived;
@@ -104,7 +103,6 @@ void Live::keep() {
             kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
     }
     kept_.push_back({engine_->time(), engine_->checkpoint(), history_});
-    events_since_kept_ = 0;
 }
 
 template <class Before> Live::Kept const& Live::latest_kept(Before const& before) const {
@@ -117,7 +115,6 @@ void Live::go_back_to(Kept const& kept) {
     auto const traced = history_.traced();
     history_ = kept.history;
     if (history_.traced() != traced) trace(traced);
-    events_since_kept_ = 0;
 }
 
 void Live::seek(double to) {

@@ -57,7 +57,6 @@ private:
     Eigen::Matrix3Xd start_places_;
     History history_;
     std::deque<Kept> kept_; // in the order of time, time 0 first
-    std::uint64_t events_since_kept_ = 0;
 };
 
 } // namespace clack::view

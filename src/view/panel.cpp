@@ -156,8 +156,8 @@ void draw_ball(Session& session) {
     auto const ball = static_cast<Eigen::Index>(frame.traced);
     text(fmt::format("ball {}: speed {:.6g}, {} collisions", frame.traced,
                      frame.snapshot.velocities.col(ball).norm(),
-                     frame.collisions.empty() ? 0
-                                              : frame.collisions[static_cast<std::size_t>(ball)]));
+                     frame.pasts.empty() ? 0
+                                         : frame.pasts[static_cast<std::size_t>(ball)].collisions));
     if (ImGui::Button("let go")) session.player.trace(-1);
     auto const& next = frame.next_of_traced;
     if (!next) return;

@@ -26,6 +26,9 @@ std::uint64_t collisions_of(Sample const& sample) {
 }
 
 constexpr auto idle_wait = std::chrono::milliseconds(4);
+// While it plays, a frame that is wanted ends the wait. Few long steps cost the engine less than
+// many short ones, before each of which others have swept its balls from the caches.
+constexpr auto step_wait = std::chrono::milliseconds(16);
 
 } // namespace
 
@@ -54,7 +57,7 @@ void Player::begin_anew() {
     target_ = source_->time();
     arrived_ = true;
     last_move_ = Clock::now();
-    meter_.begin(last_move_, reached());
+    meter_.begin(last_move_, reached(source_->sample()));
 }
 
 void Player::ask(Task task) {
@@ -73,7 +76,7 @@ void Player::play() {
             source_->seek(source_->first_time());
         target_ = source_->time();
         last_move_ = Clock::now();
-        meter_.begin(last_move_, reached());
+        meter_.begin(last_move_, reached(source_->sample()));
     });
 }
 
@@ -175,7 +178,7 @@ void Player::work() {
             continue;
         }
         if (tasks_.empty() && (arrived_ || now_.playing == Playing::no))
-            asked_.wait_for(lock, idle_wait);
+            asked_.wait_for(lock, now_.playing == Playing::yes ? step_wait : idle_wait);
     }
 }
 
@@ -198,7 +201,7 @@ void Player::move() {
     meter_.add_engine_seconds(cpu_seconds() - cpu_begin);
     if (!prepared_ && source_->preparation_share() >= 1) begin_anew();
     constexpr double sample_pause = 0.05; // [s]: Z needs many, however seldom frames are drawn
-    if (seconds_between(last_sample_, Clock::now()) > sample_pause) keep_sample();
+    if (seconds_between(last_sample_, Clock::now()) > sample_pause) keep_sample(source_->sample());
     if (source_->time() >= source_->last_time() && !source_->may_grow()) now_.playing = Playing::no;
 }
 
@@ -212,10 +215,9 @@ void Player::refresh() {
 
 /// Few enough to be blocked at once; when there are more, every second one goes, and new ones come
 /// as far apart as those that stay.
-void Player::keep_sample() {
+void Player::keep_sample(Sample const& sample) {
     constexpr std::size_t samples_max = 1024;
     last_sample_ = Clock::now();
-    Sample const sample = source_->sample();
     std::erase_if(samples_, [&](Sample const& kept) { return kept.time > sample.time; });
     if (!samples_.empty()) {
         double const apart = (samples_.back().time - samples_.front().time) / samples_max;
@@ -230,9 +232,9 @@ void Player::keep_sample() {
 }
 
 /// A source that goes from frame to frame has reached the target when the next frame is later.
-Meter::Reached Player::reached() const {
+Meter::Reached Player::reached(Sample const& sample) const {
     double const time = arrived_ ? std::max(target_, source_->time()) : source_->time();
-    return {time, collisions_of(source_->sample())};
+    return {time, collisions_of(sample)};
 }
 
 bool Player::should_look_ahead() const {
@@ -247,9 +249,10 @@ void Player::publish() {
     asked_since_ = false;
     Frame frame = frame_of(*source_, start_places_);
     now_.settled = !should_look_ahead() || foresight_.tell(*source_, now_.tasks_done, frame);
-    keep_sample();
+    keep_sample(frame.sample);
     if (now_.playing == Playing::yes) {
-        if (auto const rates = meter_.read(Clock::now(), reached())) now_.rates = *rates;
+        if (auto const rates = meter_.read(Clock::now(), reached(frame.sample)))
+            now_.rates = *rates;
     }
     now_.equilibration = source_->preparation_share();
     now_.first_time = source_->first_time();

@@ -58,6 +58,7 @@ public:
     /// Has a newer frame made, when there is something new. To make one copies all balls, which
     /// takes from the engine's time: not to be asked more often than frames are drawn.
     void want_news();
+    std::uint64_t tasks_asked() const { return tasks_asked_; }
     /// Whether it shows all that has been asked for.
     bool has_done_all(Shown const& shown) const { return shown.tasks_done == tasks_asked_; }
     /// And all that follows from it.
@@ -74,8 +75,8 @@ private:
     void move();
     void refresh();
     void begin_anew();
-    void keep_sample();
-    Meter::Reached reached() const;
+    void keep_sample(Sample const& sample);
+    Meter::Reached reached(Sample const& sample) const;
     void publish();
     bool should_look_ahead() const;
 

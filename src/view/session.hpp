@@ -36,6 +36,14 @@ public:
     /// The ball that a pixel shows, or none; its path is traced from now on.
     void pick(float x, float y, PixelSize size);
 
+    /// What was asked for until now, with hand or key, but for the camera.
+    struct Asked {
+        std::uint64_t tasks; // of the player
+        Look look;
+        bool operator==(Asked const&) const = default;
+    };
+    Asked asked() const { return {player.tasks_asked(), look}; }
+
     /// Looks what the player has to show.
     void look_at_latest() { shown = player.latest(); }
 
@@ -61,5 +69,8 @@ struct Key {
 };
 
 std::vector<Key> const& keys();
+/// The key of a code or a name; null where there is none.
+Key const* key_of(int code);
+Key const* key_of(std::string const& name);
 
 } // namespace clack::view

@@ -64,12 +64,14 @@ Visit::Visit(std::string const& path) {
         Command command;
         if (!(stream >> command.name)) continue;
         for (std::string word; stream >> word;) command.words.push_back(word);
+        auto const refuse = [&](std::string const& why) {
+            throw InputError(fmt::format("{}:{}: {}: {}", path, number_of_line, line, why));
+        };
         auto const known = known_commands().find(command.name);
-        if (known == known_commands().end() || known->second != command.words.size()) {
-            throw InputError(fmt::format("{}:{}: {}: no such command, or with another number of "
-                                         "words",
-                                         path, number_of_line, line));
-        }
+        if (known == known_commands().end() || known->second != command.words.size())
+            refuse("no such command, or with another number of words");
+        if (command.name == "key" && !key_of(command.words[0]))
+            refuse("no such key; the list of keys names them");
         commands_.push_back(command);
     }
 }
@@ -100,7 +102,7 @@ void Visit::choose(Command const& command, Session& session) const {
 
 void Visit::perform(Command const& command, Session& session, Visited& window) {
     auto const& [name, words] = command;
-    if (name == "key") window.press(words[0]);
+    if (name == "key") window.press(*key_of(words[0]));
     if (name == "click") window.click(number(words[0]), number(words[1]));
     if (name == "drag") window.drag(number(words[0]), number(words[1]));
     if (name == "scroll") window.scroll(number(words[0]));

@@ -13,7 +13,7 @@ namespace clack::view {
 class Visited {
 public:
     virtual ~Visited() = default;
-    virtual void press(std::string const& key) = 0;
+    virtual void press(Key const& key) = 0;
     virtual void click(float x, float y) = 0;
     virtual void drag(float right, float down) = 0;
     virtual void scroll(float notches) = 0;

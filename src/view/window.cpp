@@ -3,6 +3,7 @@
 #include "state/errors.hpp"
 #include "view/answers.hpp"
 #include "view/canvases.hpp"
+#include "view/draft.hpp"
 #include "view/fineness.hpp"
 #include "view/glfw_window.hpp"
 #include "view/images.hpp"
@@ -16,6 +17,10 @@
 #include <future>
 #include <optional>
 #include <utility>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace clack::view {
 
@@ -46,6 +51,16 @@ struct Drawn {
     }
 };
 
+/// Each picture takes and gives back some large pieces of memory, which the system would have to
+/// fill with zeros each time: they are kept for the next.
+void keep_memory() {
+#ifdef __GLIBC__
+    constexpr int piece_max = 32 << 20, spare_max = 256 << 20; // bytes; the first is its greatest
+    mallopt(M_MMAP_THRESHOLD, piece_max);
+    mallopt(M_TRIM_THRESHOLD, spare_max);
+#endif
+}
+
 class Stage final : public Visited, private Hands {
 public:
     Stage(Options const& options, std::unique_ptr<Source> source)
@@ -72,11 +87,9 @@ public:
     }
 
     // What a visit does.
-    void press(std::string const& name) override {
+    void press(Key const& key) override {
         answers_.ask(Clock::now());
-        for (Key const& key : keys()) {
-            if (name == key.name) key.action(session_);
-        }
+        key.action(session_);
     }
     void click(float x, float y) override {
         answers_.ask(Clock::now());
@@ -101,10 +114,7 @@ private:
 
     // What a person does.
     void on_key(int code) override {
-        answers_.ask(Clock::now());
-        for (Key const& key : keys()) {
-            if (key.code == code) key.action(session_);
-        }
+        if (Key const* const key = key_of(code)) press(*key);
     }
     void on_click(float x, float y) override {
         if (x < static_cast<float>(picture_size().width)) click(x, y);
@@ -172,11 +182,15 @@ private:
         return true;
     }
 
-    /// A fine picture that a hand has made outdated would only be in the way of the next.
+    /// Whether a picture shows something that was asked for, for the first time.
+    bool answers(Drawn const& picture) const { return picture.asked > answered_; }
+
+    /// What a hand has made outdated would only be in the way of the next, if it is fine or no
+    /// answer to anything.
     bool is_outdated() const {
         auto const now = wanted();
-        return under_way_.fineness > fineness_.for_hand() &&
-               (!(under_way_.chosen == now.chosen) || under_way_.asked < now.asked);
+        bool const is_older = !(under_way_.chosen == now.chosen) || under_way_.asked < now.asked;
+        return is_older && (under_way_.fineness > fineness_.for_hand() || !answers(under_way_));
     }
 
     /// Colours and order of many balls take a moment, in which the window is to answer.
@@ -188,12 +202,15 @@ private:
         session_.camera.fit(size, overhang(session_.shown->frame.system));
         auto const policy = session_.shown->frame.system.count <= few_balls ? std::launch::deferred
                                                                             : std::launch::async;
-        auto const detail = under_way_.fineness <= coarsest ? Detail::draft : Detail::whole;
-        prepared_ =
-            std::async(policy, [this, look, detail, samples = finer(size, under_way_.fineness),
-                                shown = session_.shown, camera = session_.camera] {
-                return order_.prepare(picture_of(shown->frame, look), camera, samples, detail);
-            });
+        prepared_ = std::async(policy, [this, look, is_draft = under_way_.fineness <= coarsest,
+                                        samples = finer(size, under_way_.fineness),
+                                        shown = session_.shown, camera = session_.camera] {
+            Frame const& frame = shown->frame;
+            auto picture =
+                is_draft ? picture_of(frame, look, balls_of_draft(frame, look.cut, camera.eye()))
+                         : picture_of(frame, look);
+            return order_.prepare(std::move(picture), camera, samples);
+        });
         if (policy == std::launch::deferred) prepared_.wait();
     }
 
@@ -220,7 +237,9 @@ private:
     /// The panel takes as long to draw as the balls of a small scene: at most so often, unless
     /// somebody is at it.
     bool is_panel_due(Clock::time_point now) const {
-        constexpr Seconds pause(0.1), pause_in_use(0.03);
+        constexpr Seconds pause(0.1), pause_in_use(0.03), grace(0.06);
+        // A picture that answers, and brings the panel with it, goes first.
+        if (is_drawing() && answers(under_way_) && now - answers_.latest() < grace) return false;
         bool const in_use = window_.was_touched() || is_asked();
         return is_saving() || now - composed_ > (in_use ? pause_in_use : pause);
     }
@@ -229,7 +248,9 @@ private:
         composed_ = Clock::now();
         canvases_.show(picture_size());
         window_.begin_panel();
+        auto const before = session_.asked();
         draw_panel(session_, {canvases_.seconds_of_last(), canvases_.balls_drawn()});
+        if (!(session_.asked() == before)) answers_.ask(composed_);
         window_.end_panel();
         if (is_saving()) {
             write_png(save_to_, read_pixels(window_.size(), 1));
@@ -260,6 +281,7 @@ private:
 } // namespace
 
 void show_window(Options const& options, std::unique_ptr<Source> source) {
+    keep_memory();
     Stage(options, std::move(source)).run();
 }
 

@@ -2,14 +2,19 @@
 
 #include "view/answers.hpp"
 #include "view/ball_order.hpp"
+#include "view/draft.hpp"
 #include "view/fineness.hpp"
+#include "view/live.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <vector>
 
 using namespace clack::view;
 using namespace std::chrono_literals;
@@ -89,22 +94,40 @@ BOOST_AUTO_TEST_CASE(each_ray_of_sight_meets_the_same_ball_first_in_order_as_in_
 }
 
 BOOST_AUTO_TEST_CASE(a_draft_has_the_nearest_balls_and_some_of_the_others) {
-    Picture many;
-    many.radius = 0.001f;
-    for (int k = 0; k < 50 * 50 * 50; ++k) {
-        auto const at = [](int step) { return (static_cast<float>(step) + 0.5f) / 50; };
-        many.balls.push_back({at(k % 50), at(k / 50 % 50), at(k / 2500), {}, 0});
-    }
+    Frame many;
+    many.system = {clack::Boundary::walls, 100, 125'000};
+    many.snapshot.positions.resize(3, many.system.count);
+    for (int k = 0; k < many.system.count; ++k)
+        many.snapshot.positions.col(k) << 2 * (k % 50) + 1, 2 * (k / 50 % 50) + 1,
+            2 * (k / 2500) + 1;
     Camera camera;
-    PixelSize const size{640, 480};
-    camera.fit(size);
-    auto const whole = BallOrder().visible(many, camera, size).dots;
-    auto const draft = BallOrder().visible(many, camera, size, Detail::draft).dots;
-    BOOST_TEST(whole.size() > 100'000u);
-    BOOST_TEST(draft.size() < 35'000u);
+    camera.fit({640, 480});
+    auto const distance = [&](Eigen::Index ball) {
+        return ((many.snapshot.positions.col(ball) / 100).cast<float>() - camera.eye()).norm();
+    };
+    auto const draft = balls_of_draft(many, Cut{}, camera.eye());
     BOOST_TEST(draft.size() > 20'000u);
-    for (std::size_t k = 0; k < 10'000; ++k) BOOST_REQUIRE(draft[k].x == whole[k].x);
-    BOOST_TEST(draft.back().x != whole[draft.size() - 1].x);
+    BOOST_TEST(draft.size() < 35'000u);
+    constexpr Eigen::Index near = 14'900; // equally far ones about the last may be either
+    std::vector<bool> drawn(125'000, false);
+    for (auto const ball : draft) drawn[static_cast<std::size_t>(ball)] = true;
+    std::vector<Eigen::Index> by_distance(drawn.size());
+    std::iota(by_distance.begin(), by_distance.end(), 0);
+    std::sort(by_distance.begin(), by_distance.end(),
+              [&](auto one, auto other) { return distance(one) < distance(other); });
+    auto const is_drawn = [&](Eigen::Index ball) { return drawn[static_cast<std::size_t>(ball)]; };
+    BOOST_TEST(std::all_of(by_distance.begin(), by_distance.begin() + near, is_drawn));
+    // The farthest too are there, one in so many.
+    BOOST_TEST(std::count_if(by_distance.end() - near, by_distance.end(), is_drawn) > near / 10);
+    Cut const cut{Face::front, 0.5};
+    auto const hidden = [&](Eigen::Index ball) {
+        return cut.hides((many.snapshot.positions.col(ball) / 100).cast<float>());
+    };
+    auto const opened = balls_of_draft(many, cut, camera.eye());
+    BOOST_TEST(opened.size() > 20'000u);
+    BOOST_TEST(std::none_of(opened.begin(), opened.end(), hidden));
+    many.system.count = 20'000;
+    BOOST_TEST(balls_of_draft(many, Cut{}, camera.eye()).size() == 20'000u);
 }
 
 BOOST_AUTO_TEST_CASE(small_balls_are_dots) {
@@ -173,4 +196,26 @@ BOOST_AUTO_TEST_CASE(an_answer_is_the_wait_for_the_picture_that_shows_it) {
     BOOST_TEST(std::abs(answers.longest() - 0.04) < 1e-12);
     BOOST_TEST(answers.longest() == 0);
     BOOST_TEST(answers.asked() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_back_after_long_play_does_not_begin_at_the_start) {
+    Live source(clack::parse_scene("[container]\nboundary = \"walls\"\npacking_fraction = 0.3\n"
+                                   "[balls]\ncount = 64\narrangement = \"grid\"\n"
+                                   "[velocities]\ndistribution = \"maxwell\"\n"
+                                   "[run]\nseed = 5\ntime = 1.0\n",
+                                   "gas.toml"));
+    auto const cpu_seconds = [](auto const& work) {
+        auto const begin = std::clock();
+        work();
+        return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    };
+    // In steps as short as a player's, in each of which little happens.
+    auto const played = cpu_seconds([&] {
+        for (double time = 0; source.history()->total() < 400'000; time += 0.01)
+            source.advance(time);
+    });
+    auto const before = source.history()->total();
+    auto const back = cpu_seconds([&] { BOOST_TEST(source.step_back()); });
+    BOOST_TEST(source.history()->total() >= before - 1);
+    BOOST_TEST(back < played / 2); // one third of the way at most
 }

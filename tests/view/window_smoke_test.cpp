@@ -243,4 +243,8 @@ BOOST_AUTO_TEST_CASE(a_visit_that_makes_no_sense_is_refused) {
     auto const outcome = visit(folder.write("gas.toml", gas), "print\njump 3\n");
     BOOST_TEST(outcome.code == 2);
     BOOST_TEST(outcome.err.find(":2: jump 3") != std::string::npos);
+    auto const unknown = visit(folder.write("gas.toml", gas), "key space\n\nkey any\n");
+    BOOST_TEST(unknown.code == 2);
+    BOOST_TEST(unknown.err_is_one_line());
+    BOOST_TEST(unknown.err.find(":3: key any: no such key") != std::string::npos);
 }

@@ -1,0 +1,44 @@
+#include "view/draft.hpp"
+
+#include <algorithm>
+
+namespace clack::view {
+
+namespace {
+
+constexpr std::size_t nearest_in_draft = 15'000, farther_in_draft = 15'000;
+
+struct Far {
+    float distance2; // from the eye
+    Eigen::Index ball;
+};
+
+} // namespace
+
+std::vector<Eigen::Index> balls_of_draft(Frame const& frame, Cut const& cut,
+                                         Eigen::Vector3f const& eye) {
+    std::vector<Far> balls;
+    balls.reserve(static_cast<std::size_t>(frame.system.count));
+    for (Eigen::Index ball = 0; ball < frame.system.count; ++ball) {
+        Eigen::Vector3f const place =
+            (frame.snapshot.positions.col(ball) / frame.system.side).cast<float>();
+        if (!cut.hides(place)) balls.push_back({(place - eye).squaredNorm(), ball});
+    }
+    std::size_t step = 1;
+    if (balls.size() > nearest_in_draft + farther_in_draft) {
+        step = (balls.size() - nearest_in_draft) / farther_in_draft + 1;
+        std::nth_element(
+            balls.begin(), balls.begin() + nearest_in_draft, balls.end(),
+            [](Far const& one, Far const& other) { return one.distance2 < other.distance2; });
+    }
+    std::vector<Eigen::Index> chosen;
+    for (std::size_t rank = 0; rank < balls.size(); ++rank) {
+        // By number and not by rank: or others would be seen at each turn.
+        auto const ball = balls[rank].ball;
+        if (rank < nearest_in_draft || static_cast<std::size_t>(ball) % step == 0)
+            chosen.push_back(ball);
+    }
+    return chosen;
+}
+
+} // namespace clack::view
