@@ -6,7 +6,7 @@ namespace clack::view {
 
 namespace {
 
-constexpr std::size_t nearest_in_draft = 15'000, farther_in_draft = 15'000;
+constexpr std::size_t nearest_in_draft = 10'000, farther_in_draft = 10'000;
 
 struct Far {
     float distance2; // from the eye
