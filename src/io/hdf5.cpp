@@ -9,16 +9,20 @@ namespace {
 
 std::atomic<bool> files_are_left_alone = false;
 
-/// HDF5 would print its own stack of errors and, at exit, try again to close what a full disk kept
-/// open; both are ours to do.
+/// HDF5 would print its own stack of errors, one for each thread, and, at exit, try again to close
+/// what a full disk kept open; both are ours to do.
 void take_charge() {
     static bool const once = [] {
         H5dont_atexit();
         H5open();
-        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
         return true;
     }();
     static_cast<void>(once);
+    thread_local bool const quiet = [] {
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        return true;
+    }();
+    static_cast<void>(quiet);
 }
 
 /// The innermost entry of HDF5's stack of errors: where the trouble was met first.

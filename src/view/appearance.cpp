@@ -106,24 +106,27 @@ void add_path(Picture& picture, Frame const& frame) {
 }
 
 void add_marks(Picture& picture, Frame const& frame, Look const& look) {
-    auto const ring = [&](std::int64_t ball, Colour colour) {
+    // The next pair's are wider, to be seen about those of the ball that is followed.
+    constexpr float single = 1, pair = 1.15f;
+    auto const ring = [&](std::int64_t ball, Colour colour, float width) {
         if (ball < 0 || ball >= frame.system.count) return;
         each_place(frame.system, frame.snapshot.positions.col(ball),
                    [&](Eigen::Vector3f const& place) {
-                       picture.rings.push_back({place, colour});
+                       picture.rings.push_back({place, colour, width});
                    });
     };
     if (look.next_pair == Visible::yes && frame.next) {
-        ring(frame.next->first, pair_colour);
-        ring(frame.next->second, pair_colour);
+        ring(frame.next->first, pair_colour, pair);
+        ring(frame.next->second, pair_colour, pair);
     }
     if (frame.traced >= 0) {
         add_path(picture, frame);
         ring(frame.traced,
-             look.background == Background::light ? Colour{0, 0, 0} : Colour{255, 255, 255});
+             look.background == Background::light ? Colour{0, 0, 0} : Colour{255, 255, 255},
+             single);
         if (frame.next_of_traced) {
             auto const& next = *frame.next_of_traced;
-            ring(next.first == frame.traced ? next.second : next.first, partner_colour);
+            ring(next.first == frame.traced ? next.second : next.first, partner_colour, single);
         }
     }
 }

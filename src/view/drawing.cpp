@@ -199,7 +199,8 @@ void Drawing::draw_rings() {
         auto const corner = [&](int k) -> Eigen::Vector3f {
             float const angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / corners;
             return ring.centre +
-                   radius * (std::cos(angle) * camera_.right() + std::sin(angle) * camera_.up());
+                   ring.width * radius *
+                       (std::cos(angle) * camera_.right() + std::sin(angle) * camera_.up());
         };
         for (int k = 0; k < corners; ++k) {
             add_line(strips,

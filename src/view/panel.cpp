@@ -99,8 +99,11 @@ void draw_legend(Session const& session) {
                                                   IM_COL32(colour[0], colour[1], colour[2], 255));
     }
     ImGui::Dummy({width, 8});
-    scale_ends(colouring_name(session.look.colouring),
-               scale_top(session.shown->frame, session.look.colouring));
+    auto const colouring = session.look.colouring;
+    bool const ends = colouring == Colouring::collisions; // no ball is beyond the scale
+    scale_ends(colouring_name(colouring),
+               fmt::format("{:.3g}{}", scale_top(session.shown->frame, colouring),
+                           ends ? "" : " and more"));
 }
 
 void checkbox(char const* label, Visible& what) {

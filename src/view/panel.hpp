@@ -16,7 +16,8 @@ struct DrawingReport {
 /// Draws the panel, and the list of keys when it is asked for, with Dear ImGui.
 void draw_panel(Session& session, DrawingReport const& report);
 
-/// Below a scale: 0 at its left end, its name and the value at its right end.
+/// Below a scale: 0 at its left end, its name and what its right end stands for.
+void scale_ends(std::string const& name, std::string const& top);
 void scale_ends(std::string const& name, double top);
 
 /// Z over time and now, with theory.

@@ -50,8 +50,10 @@ void draw_histogram(SpeedHistogram const& speeds, float chart_height) {
                   axis_colour);
     ImGui::Dummy(size);
     scale_ends("speed", speeds.top);
-    ImGui::TextColored({1, 1, 1, 1}, "exact law");
-    ImGui::SameLine();
+    if (!speeds.exact.empty()) {
+        ImGui::TextColored({1, 1, 1, 1}, "exact law");
+        ImGui::SameLine();
+    }
     ImGui::TextColored({0.9f, 0.62f, 0, 1}, "Maxwell-Boltzmann");
     ImGui::SameLine();
     ImGui::TextColored({0.34f, 0.71f, 0.91f, 1}, "balls now");
@@ -60,6 +62,10 @@ void draw_histogram(SpeedHistogram const& speeds, float chart_height) {
 } // namespace
 
 void scale_ends(std::string const& name, double top) {
+    scale_ends(name, fmt::format("{:.3g}", top));
+}
+
+void scale_ends(std::string const& name, std::string const& top) {
     float const left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
     auto const write = [&](std::string const& words, float share) {
         ImGui::SameLine(left + share * (width - ImGui::CalcTextSize(words.c_str()).x));
@@ -67,7 +73,7 @@ void scale_ends(std::string const& name, double top) {
     };
     text("0");
     write(name, 0.5f);
-    write(fmt::format("{:.3g}", top), 1);
+    write(top, 1);
 }
 
 void draw_physics(Shown const& shown, float chart_height) {
@@ -92,6 +98,10 @@ void draw_physics(Shown const& shown, float chart_height) {
              ? fmt::format("{:.3g} a second, engine {:.1f} % of the time",
                            shown.rates.collisions_per_second, 100 * shown.rates.engine_share)
              : "engine at rest");
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("processor time of the engine alone over the time that passed;\n"
+                          "copies for pictures, drawing and this panel are not in it");
+    }
 }
 
 } // namespace clack::view

@@ -34,6 +34,7 @@ struct DrawnLine {
 struct DrawnRing {
     Eigen::Vector3f centre; // [sides of the cube]
     Colour colour;
+    float width; // of the circle, in those that mark one ball
 };
 
 /// A plane that cuts the cube open: what lies between it and a face is not drawn.
