@@ -83,6 +83,7 @@ public:
     /// Balls that stand close together in a wide cube want narrower cells than their number says,
     /// or all of them would be candidates of each.
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
+        crossings_ = 0;
         std::int32_t cells = coarsest_;
         cut_into(cells, balls, now);
         while (cells >= 3 && 2 * cells <= lattice_.finest && crowded()) {
@@ -140,12 +141,19 @@ public:
     /// new face can hold balls that it could not touch before.
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                                           Real) {
+        ++crossings_;
         Crossing const crossing = crossing_of(balls, ball);
         bins_.remove(ball);
         bins_.insert(ball, crossing.to);
         found_.clear();
         bins_.collect_beyond(crossing.to, crossing.axis, crossing.direction, found_);
         return padded(ball);
+    }
+
+    /// Whether narrow cells have been crossed so often that it is worth a look whether the balls
+    /// still stand close together.
+    bool wants_rebuild() const {
+        return lattice_.per_side > coarsest_ && crossings_ > 64 * bins_.ball_count();
     }
 
     /// Hints to the memory: a ball's own entries, and what `candidates` and `refresh` will read.
@@ -243,10 +251,11 @@ private:
 
     Container cube_;
     CellLattice<Real> lattice_;
-    CellBins bins_;         // noted there: the axis along which a ball will leave its cell
-    std::int32_t coarsest_; // cells across the cube
-    double reach_;          // centres farther apart than this do not touch
-    double stray_ = 0;      // how far a ball may be from its cell
+    CellBins bins_;             // noted there: the axis along which a ball will leave its cell
+    std::int32_t coarsest_;     // cells across the cube
+    std::size_t crossings_ = 0; // since the last rebuild
+    double reach_;              // centres farther apart than this do not touch
+    double stray_ = 0;          // how far a ball may be from its cell
     double origin_, cell_side_, side_, inverse_side_; // an index needs no more than double
     BallBuffer found_;                                // reused
 };

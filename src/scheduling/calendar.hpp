@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -39,13 +38,7 @@ public:
 
     void rebuild(NextEvents<Real> const& next, Real now) {
         ring_.reset(static_cast<std::size_t>(mask_) + 1);
-        bucket_.clear();
-        waiting_.fill({});
-        base_ = now;
-        inverse_width_ = 1 / bucket_width(next, now);
-        open_ = 0;
-        for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball)
-            file(next, ball);
+        file_all(next, now);
     }
 
     void update(NextEvents<Real> const& next, std::int32_t ball) { file(next, ball); }
@@ -81,6 +74,9 @@ public:
 
 private:
     static constexpr std::size_t events_ahead = 4;
+    /// Entries for each ball: where a few balls move and the others wait, those that no longer hold
+    /// must not fill the memory.
+    static constexpr std::size_t in_ring_max = 6;
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
 
     /// As if all waited equally long.
@@ -97,6 +93,18 @@ private:
         return width > 0 && width < infinity<Real> ? width : Real(1);
     }
 
+    /// Files every ball in an empty ring.
+    void file_all(NextEvents<Real> const& next, Real now) {
+        bucket_.clear();
+        waiting_.fill({});
+        base_ = now;
+        in_ring_ = 0;
+        inverse_width_ = 1 / bucket_width(next, now);
+        open_ = 0;
+        for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball)
+            file(next, ball);
+    }
+
     std::size_t slot_of(std::int64_t bucket) const {
         return static_cast<std::size_t>(bucket & mask_);
     }
@@ -111,11 +119,17 @@ private:
         } else if (looks_ahead_) {
             prefetch(&ring_.block(slot_of(bucket)));
             Waiting& oldest = waiting_[turn_++ % waiting_.size()];
-            if (oldest.ball != no_event) ring_.insert(slot_of(oldest.bucket), oldest.ball);
+            if (oldest.ball != no_event) insert(slot_of(oldest.bucket), oldest.ball);
             oldest = {bucket, ball};
         } else {
-            ring_.insert(slot_of(bucket), ball);
+            insert(slot_of(bucket), ball);
         }
+        if (in_ring_ > in_ring_max * next.size()) file_all_anew(next);
+    }
+
+    void insert(std::size_t slot, std::int32_t ball) {
+        ring_.insert(slot, ball);
+        ++in_ring_;
     }
 
     void open_one_more(NextEvents<Real> const& next) {
@@ -131,16 +145,20 @@ private:
             open(next);
             if (!bucket_.empty()) return true;
         }
-        // A whole revolution without an event: go where the next one is.
-        std::int64_t first = std::numeric_limits<std::int64_t>::max();
-        for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball) {
-            if (next[ball].time() < infinity<Real>)
-                first = std::min(first, bucket_at(next[ball].time()));
-        }
-        if (first == std::numeric_limits<std::int64_t>::max()) return false;
-        open_ = first;
-        open(next);
-        return true;
+        // A whole revolution without an event: balls wait longer than they did.
+        file_all_anew(next);
+        return !bucket_.empty();
+    }
+
+    /// From the first event on. Nothing is freed, since another thread may be looking.
+    void file_all_anew(NextEvents<Real> const& next) {
+        Real first = infinity<Real>;
+        for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball)
+            first = std::min(first, next[ball].time());
+        if (first == infinity<Real>) return;
+        for (std::int64_t bucket = 0; bucket <= mask_; ++bucket)
+            ring_.drain(slot_of(bucket), [](std::int32_t) {});
+        file_all(next, first);
     }
 
     void open(NextEvents<Real> const& next) {
@@ -151,13 +169,14 @@ private:
         }
         if (ring_.block(slot).count == 0) return;
         ring_.drain(slot, [&](std::int32_t ball) {
+            --in_ring_;
             Real const time = next[ball].time();
             if (!(time < infinity<Real>)) return;
             std::int64_t const bucket = bucket_at(time);
             if (bucket == open_) {
                 bucket_.insert(next, ball);
             } else if (bucket > open_ && slot_of(bucket) == slot) {
-                ring_.insert(slot, ball);
+                insert(slot, ball);
             }
         });
     }
@@ -166,7 +185,7 @@ private:
     void file_waiting(std::size_t slot) {
         for (Waiting& waiting : waiting_) {
             if (waiting.bucket != open_ || waiting.ball == no_event) continue;
-            ring_.insert(slot, waiting.ball);
+            insert(slot, waiting.ball);
             waiting.ball = no_event;
         }
     }
@@ -188,7 +207,8 @@ private:
     std::array<Waiting, 8> waiting_; // to be filed
     std::size_t turn_ = 0;
     ChainedBins<14> ring_; // a block is a cache line
-    std::int64_t mask_;    // buckets in the ring, a power of two, less one
+    std::size_t in_ring_ = 0;
+    std::int64_t mask_; // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;
     Real base_ = 0, inverse_width_ = 1;
     std::int64_t open_ = 0;

@@ -49,7 +49,7 @@ public:
         }
         for (; !heap_.empty(); drop_top()) {
             Ranked const& top = heap_.front();
-            if (holds(next, top) && next.rank(top.ball) == top.rank) return top.ball;
+            if (holds(next, top)) return top.ball;
         }
         return no_event;
     }
@@ -84,7 +84,17 @@ private:
                next.kind(b) == EventKind::ball && next.mutual(a);
     }
 
+    bool holds(NextEvents<Real> const& next, Ranked const& event) const {
+        return holds(next, static_cast<Event const&>(event)) && next.rank(event.ball) == event.rank;
+    }
+
+    /// Where events change again and again before they come, those that no longer hold must not
+    /// fill the memory.
     void insert_in_heap(NextEvents<Real> const& next, std::int32_t ball) {
+        if (heap_.size() >= std::max(2 * next.size(), row_max)) {
+            std::erase_if(heap_, [&](Ranked const& event) { return !holds(next, event); });
+            std::make_heap(heap_.begin(), heap_.end(), later_first);
+        }
         heap_.push_back({{next[ball].time(), ball}, next.rank(ball)});
         std::push_heap(heap_.begin(), heap_.end(), later_first);
     }

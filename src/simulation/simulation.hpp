@@ -62,9 +62,7 @@ public:
             }
             if (!(time < static_cast<Real>(clock_.length))) {
                 if (ball == no_event && goal.time == infinity<double>) return Stop::never;
-                if (scout_) scout_->halt();
-                begin_epoch();
-                if (scout_) scout_->go();
+                alone([&] { begin_epoch(); });
                 continue;
             }
             if constexpr (can_look_ahead) {
@@ -118,6 +116,8 @@ private:
         switch (next_.kind(ball)) {
         case EventKind::expiry:
             refresh(ball);
+            if constexpr (requires { search_.wants_rebuild(); })
+                if (search_.wants_rebuild()) alone([&] { rebuild(); });
             break;
         case EventKind::wall:
             bounce(ball, wall_of(next_[ball].partner), observe);
@@ -282,6 +282,7 @@ private:
         rebuild();
     }
 
+    /// At any moment: what comes does not depend on it.
     void rebuild() {
         state_.put_in_memory_order();
         search_.rebuild(state_.balls, clock_.offset);
@@ -291,6 +292,13 @@ private:
             note(ball, next_[ball].contact);
         }
         queue_.rebuild(next_, clock_.offset);
+    }
+
+    /// While nobody looks on.
+    template <class Task> void alone(Task&& task) {
+        if (scout_) scout_->halt();
+        task();
+        if (scout_) scout_->go();
     }
 
     Collision<Real> collision(CollisionKind kind, std::int32_t first, std::int64_t second,

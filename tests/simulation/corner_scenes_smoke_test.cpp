@@ -115,6 +115,28 @@ Scene tight_cube(Boundary, std::int64_t const count) {
     return scene;
 }
 
+/// A lump that flies apart in a cube so wide that its balls are alone soon.
+Scene cloud(Boundary const boundary, std::int64_t const count) {
+    constexpr double spacing = 1.05, side = 1e9; // diameters
+    Scene scene = without_balls(boundary, count, side);
+    put_on_lattice(scene, side / 2, spacing);
+    move_at_random(scene);
+    return scene;
+}
+
+/// A ball that sends a pulse to and fro along a line of balls, which hardly move otherwise.
+Scene pulse(Boundary const boundary, std::int64_t const count) {
+    constexpr double spacing = 1.9; // diameters
+    Scene scene = without_balls(boundary, count, spacing * static_cast<double>(count) + 1);
+    std::mt19937_64 random(2015);
+    for (std::int64_t k = 0; k < count; ++k) {
+        scene.start.positions.col(k) << 1 + spacing * static_cast<double>(k), 15, 15;
+        scene.start.velocities.col(k) << made_up::uniform(random, -1e-9, 1e-9), 0, 0;
+    }
+    scene.start.velocities(0, 0) = 1;
+    return scene;
+}
+
 using Make = Scene (*)(Boundary boundary, std::int64_t count);
 struct Kind {
     char const* name;
@@ -127,7 +149,9 @@ Kind const kinds[] = {{"lump", lump, 125, 4000, 20},
                       {"layer at a wall", layer_at_wall, 121, 4000, 20},
                       {"one fast ball", one_fast_ball, 108, 4000, 40},
                       {"wide cube", wide_cube, 100, 100, 3},
-                      {"tight cube", tight_cube, 7, 27, 200}};
+                      {"tight cube", tight_cube, 7, 27, 200},
+                      {"cloud", cloud, 125, 4000, 3},
+                      {"pulse", pulse, 40, 4000, 1000}};
 
 /// A kind of scene in the containers that it is made for.
 std::vector<Scene> in_both(Make const make, std::int64_t const count) {
@@ -207,5 +231,25 @@ BOOST_AUTO_TEST_CASE(cost_of_a_ball_does_not_grow_with_their_number) {
         std::vector<Scene> const few = in_both(make, 500), many = in_both(make, 4000);
         for (std::size_t k = 0; k < few.size(); ++k)
             BOOST_TEST(seconds_per_ball(many[k]) < 3 * seconds_per_ball(few[k]));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(memory_stays_where_a_few_balls_move_and_the_others_wait) {
+    auto const engine = engine_of(pulse(Boundary::walls, 400), Method::fast);
+    engine->advance({.ball_collisions = 100'000});
+    auto const usual = bytes_after_a_while(ordinary(Boundary::walls, 400));
+    BOOST_TEST(engine->bytes() <= 2 * usual);
+}
+
+// Nothing is made for where the balls were: neither buckets of time nor cells.
+BOOST_AUTO_TEST_CASE(balls_that_have_flown_apart_take_hardly_longer_than_with_the_table) {
+    for (Boundary const boundary : {Boundary::walls, Boundary::periodic}) {
+        Scene const scene = cloud(boundary, 343);
+        auto const seconds = [&](Method const method) {
+            double const begin = validation::processor_seconds();
+            engine_of(scene, method)->advance({.time = 3 * scene.system.side});
+            return validation::processor_seconds() - begin;
+        };
+        BOOST_TEST(seconds(Method::fast) < 12 * seconds(Method::table));
     }
 }
