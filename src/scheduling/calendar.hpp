@@ -30,7 +30,8 @@ public:
 
     explicit Calendar(std::size_t count)
         : Calendar(count, count >= foresight_from ? Foresight::some : Foresight::none) {}
-    Calendar(std::size_t count, Foresight foresight) : looks_ahead_(foresight == Foresight::some) {
+    Calendar(std::size_t count, Foresight foresight)
+        : looks_ahead_(foresight == Foresight::some), in_ring_max_(6 * count) {
         std::size_t buckets = 4;
         while (balls_per_bucket * buckets < 2 * count) buckets *= 2;
         mask_ = static_cast<std::int64_t>(buckets) - 1;
@@ -74,9 +75,6 @@ public:
 
 private:
     static constexpr std::size_t events_ahead = 4;
-    /// Entries for each ball: where a few balls move and the others wait, those that no longer hold
-    /// must not fill the memory.
-    static constexpr std::size_t in_ring_max = 6;
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
 
     /// As if all waited equally long.
@@ -124,7 +122,7 @@ private:
         } else {
             insert(slot_of(bucket), ball);
         }
-        if (in_ring_ > in_ring_max * next.size()) file_all_anew(next);
+        if (in_ring_ > in_ring_max_) file_all_anew(next);
     }
 
     void insert(std::size_t slot, std::int32_t ball) {
@@ -207,7 +205,9 @@ private:
     std::array<Waiting, 8> waiting_; // to be filed
     std::size_t turn_ = 0;
     ChainedBins<14> ring_; // a block is a cache line
-    std::size_t in_ring_ = 0;
+    /// Entries; where a few balls move and the others wait, those that no longer hold must not fill
+    /// the memory.
+    std::size_t in_ring_ = 0, in_ring_max_;
     std::int64_t mask_; // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;
     Real base_ = 0, inverse_width_ = 1;
