@@ -33,7 +33,8 @@ template <class Real> struct WrappedPairs : ElasticBalls<Real> {
     }
 };
 
-/// A mass for each ball: what it is heavier than 1 stands in its record's note, behind its velocity.
+/// A mass for each ball: what it is heavier than 1 stands in its record's note, behind its
+/// velocity.
 template <class Real> struct MassOfEach : ElasticBalls<Real> {
     using ElasticBalls<Real>::ElasticBalls;
     static constexpr bool keeps_notes = true;

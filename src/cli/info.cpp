@@ -88,9 +88,9 @@ void print_goal(Scene const& scene) {
     if (auto const speed = measured_speed(scene); speed && *speed > 0) {
         double const all = static_cast<double>(schedule.equilibration()) + collisions;
         double const seconds = all / *speed;
-        line("duration", fmt::format("{}{} at {:.2g} collisions/s, as measured just now",
-                                     seconds < 1 ? "" : "about ", duration_in_words(seconds),
-                                     *speed));
+        line("duration",
+             fmt::format("{}{} at {:.2g} collisions/s, as measured just now",
+                         seconds < 1 ? "" : "about ", duration_in_words(seconds), *speed));
     } else {
         line("duration", "not estimated");
     }
