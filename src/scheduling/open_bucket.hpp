@@ -84,7 +84,7 @@ private:
                next.kind(b) == EventKind::ball && next.mutual(a);
     }
 
-    bool holds(NextEvents<Real> const& next, Ranked const& event) const {
+    static bool holds(NextEvents<Real> const& next, Ranked const& event) {
         return holds(next, static_cast<Event const&>(event)) && next.rank(event.ball) == event.rank;
     }
 

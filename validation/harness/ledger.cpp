@@ -111,8 +111,10 @@ std::string Ledger::table() const {
         if (entry.kind == Kind::guide) numbers[2] = "";
         if (entry.kind == Kind::fit)
             numbers = {fmt::format("$p = {:.2f}$", entry.p_value), "", "", ""};
-        if (entry.kind == Kind::bound)
-            numbers[0] = significant(c.measured.value, 6), numbers[3] = "";
+        if (entry.kind == Kind::bound) {
+            numbers.front() = significant(c.measured.value, 6);
+            numbers.back() = "";
+        }
         rows.push_back(cells(entry.state, entry.quantity.symbol, numbers, entry.word()));
     }
     return tabular(std::string(keys.size(), 'r') + "lllrrl",
