@@ -131,7 +131,8 @@ int run(int const argc, char const* const* const argv, Question const& asked,
     } catch (ShareDone const&) {
         return 0;
     } catch (CLI::ParseError const& mistake) { // or --help
-        return app.exit(mistake) == 0 ? 0 : 2;
+        if (mistake.get_exit_code() == 0) return app.exit(mistake);
+        std::cerr << fmt::format("{}: {}; see {} --help\n", asked.stem, mistake.what(), asked.stem);
     } catch (std::runtime_error const& mistake) { // the user's, or a file's or another program's
         std::cerr << fmt::format("{}: {}\n", asked.stem, mistake.what());
     }
