@@ -10,6 +10,7 @@ namespace clack {
 template <class Real> class BinaryHeap {
 public:
     static constexpr Staleness staleness = Staleness::found;
+    static constexpr Entries entries = Entries::one_a_ball;
 
     explicit BinaryHeap(std::size_t count) : heap_(count), place_(count) {}
 

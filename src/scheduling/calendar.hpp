@@ -21,6 +21,7 @@ namespace clack {
 template <class Real> class Calendar {
 public:
     static constexpr Staleness staleness = Staleness::found;
+    static constexpr Entries entries = Entries::one_an_event;
 
     /// Whether a few events are known in advance, for the memory: it pays where there is too much
     /// for a nearby cache. Measured: 0.95 times as fast at 8000 balls, 1.2 at 16 000, 1.4 to 2.1 at
@@ -61,7 +62,7 @@ public:
     std::int64_t bucket_at(Real time) const {
         Real const index = (time - base_) * inverse_width_;
         Real const far = static_cast<Real>(0x1p62);
-        return index < far ? static_cast<std::int64_t>(index) : static_cast<std::int64_t>(0x1p62);
+        return static_cast<std::int64_t>(index < far ? index : far);
     }
 
     /// For a thread that only looks: the bucket that is open, and the balls that are filed under a
@@ -155,7 +156,7 @@ private:
             first = std::min(first, next[ball].time());
         if (first == infinity<Real>) return;
         for (std::int64_t bucket = 0; bucket <= mask_; ++bucket)
-            ring_.drain(slot_of(bucket), [](std::int32_t) {});
+            ring_.drain_blocks(slot_of(bucket), [](std::int32_t const*, std::size_t) {});
         file_all(next, first);
     }
 
@@ -166,17 +167,27 @@ private:
             file_waiting(slot);
         }
         if (ring_.block(slot).count == 0) return;
-        ring_.drain(slot, [&](std::int32_t ball) {
-            --in_ring_;
-            Real const time = next[ball].time();
-            if (!(time < infinity<Real>)) return;
-            std::int64_t const bucket = bucket_at(time);
-            if (bucket == open_) {
-                bucket_.insert(next, ball);
-            } else if (bucket > open_ && slot_of(bucket) == slot) {
-                insert(slot, ball);
-            }
+        std::size_t fresh = 0;
+        again_.clear();
+        ring_.drain_blocks(slot, [&](std::int32_t const* balls, std::size_t count) {
+            sort_out(next, slot, balls, count, fresh);
+            in_ring_ -= count;
         });
+        bucket_.append(next, fresh);
+        for (std::int32_t const ball : again_) insert(slot, ball);
+    }
+
+    /// Choices without branches: which entries still hold cannot be foretold.
+    void sort_out(NextEvents<Real> const& next, std::size_t slot, std::int32_t const* balls,
+                  std::size_t count, std::size_t& fresh) {
+        auto* const events = bucket_.room(fresh, count);
+        for (std::size_t k = 0; k < count; ++k) {
+            Real const time = next[balls[k]].time();
+            std::int64_t const bucket = bucket_at(time);
+            events[fresh] = {time, balls[k]};
+            fresh += bucket == open_;
+            if (bucket > open_ && slot_of(bucket) == slot) again_.push_back(balls[k]);
+        }
     }
 
     /// Those that wait for the bucket that is being opened.
@@ -210,6 +221,7 @@ private:
     std::size_t in_ring_ = 0, in_ring_max_;
     std::int64_t mask_; // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;
+    std::vector<std::int32_t> again_; // of later revolutions, when a bucket is opened
     Real base_ = 0, inverse_width_ = 1;
     std::int64_t open_ = 0;
 };

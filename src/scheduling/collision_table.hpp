@@ -8,6 +8,7 @@ namespace clack {
 template <class Real> class CollisionTable {
 public:
     static constexpr Staleness staleness = Staleness::swept;
+    static constexpr Entries entries = Entries::one_a_ball;
 
     explicit CollisionTable(std::size_t) {}
 

@@ -13,12 +13,19 @@ enum class Staleness {
     found  // nobody: an event whose two balls do not agree is found out when it comes up
 };
 
+/// Whether the queue hears of both balls of a collision or of one.
+enum class Entries {
+    one_a_ball, // the next event of each has a place of its own
+    one_an_event // an event of two balls stands in the queue once, for the ball that found it
+};
+
 constexpr std::int32_t no_event = -1;
 
 template <class Queue, class Real>
 concept EventQueue = requires(Queue queue, NextEvents<Real> const& next, std::int32_t ball,
                               Real now) {
     { Queue::staleness } -> std::convertible_to<Staleness>;
+    { Queue::entries } -> std::convertible_to<Entries>;
     /// Starts afresh; `now` is the earliest time that will be asked for.
     queue.rebuild(next, now);
     /// The next event of a ball has changed.

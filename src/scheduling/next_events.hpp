@@ -23,6 +23,8 @@ template <class Real> struct NextEvent {
     Real contact = infinity<Real>;
     Real expiry = infinity<Real>;
     Partner partner = nobody;
+    /// Whether its time stands in a queue for this ball, or else for its partner.
+    bool filed = true;
 
     Real time() const { return contact < expiry ? contact : expiry; }
 };

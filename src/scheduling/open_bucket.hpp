@@ -1,29 +1,35 @@
 #pragma once
 // The events of the bucket that is open, in order of time.
 
+#include "prediction/lanes.hpp"
 #include "scheduling/event_queue.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
 namespace clack {
 
-/// A few events stand in a row, the earliest last: to insert one by one costs less than a heap's
-/// jumps, which a processor cannot foretell. Many make a heap, in the total order: of thousands
-/// that happen at one moment each is found at once. Nothing is taken out before its time: what no
-/// longer holds is dropped when it comes up.
+/// A few events stand in a row, the earliest first; many make a heap, in the total order: of
+/// thousands that happen at one moment each is found at once. Nothing is taken out before its time:
+/// what no longer holds is dropped when it comes up.
 ///
-/// The row begins with an event that never comes, so that its loops have one condition. Measured at
-/// packing fractions 0.05, 0.20 and 0.49: 1.025, 1.02 and 1.01 times as fast.
+/// A bucket is opened at once: its events are written behind the row without a branch, and those
+/// that count are put in order by how many are earlier.
 template <class Real> class OpenBucket {
 public:
+    struct Event {
+        Real time;
+        std::int32_t ball;
+    };
+
     OpenBucket() { clear(); }
     bool empty() const { return row_size() == 0 && heap_.empty(); }
     std::size_t size() const { return row_size() + heap_.size(); }
     /// The ball so many places behind the first, where that is known.
     std::int32_t upcoming(std::size_t places) const {
-        return row_size() <= places ? no_event : row_[row_.size() - 1 - places].ball;
+        return row_size() <= places ? no_event : row_[first_ + places].ball;
     }
     void clear() {
         clear_row();
@@ -35,17 +41,42 @@ public:
         if (!heap_.empty()) return insert_in_heap(next, ball);
         if (row_size() == row_max) return make_heap_with(next, ball);
         Real const time = next[ball].time();
-        row_.push_back({time, ball});
-        std::size_t place = row_.size() - 1;
-        for (; row_[place - 1].time < time; --place) row_[place] = row_[place - 1];
+        make_room(1);
+        std::size_t place = end_++;
+        for (; place > first_ && time < row_[place - 1].time; --place)
+            row_[place] = row_[place - 1];
         row_[place] = {time, ball};
+        row_[end_].time = infinity<Real>;
+    }
+
+    /// Events of a bucket that is being opened, none of which comes before one that is here: where
+    /// to write them, `written` being there already. `append` then takes the first `count`.
+    Event* room(std::size_t written, std::size_t more) {
+        make_room(more, written);
+        return row_.data() + end_;
+    }
+    void append(NextEvents<Real> const& next, std::size_t count) {
+        if (row_size() + count > row_max || !heap_.empty()) {
+            std::vector<Event> const many(row_.data() + end_, row_.data() + end_ + count);
+            row_[end_].time = infinity<Real>;
+            for (Event const& event : many) insert(next, event.ball);
+            return;
+        }
+        put_in_order(row_.data() + end_, count);
+        end_ += count;
+        row_[end_].time = infinity<Real>;
     }
 
     /// The ball whose event is first in the total order; no_event when none holds any more.
     std::int32_t earliest(NextEvents<Real> const& next) {
-        for (; row_.back().time < infinity<Real>; row_.pop_back()) {
-            std::int32_t const first = first_in_row(next);
-            if (first != no_event) return first;
+        for (; row_[first_].time < infinity<Real>; ++first_) {
+            Event const& event = row_[first_];
+            if (row_[first_ + 1].time == event.time) {
+                std::int32_t const ball = first_of_equals(next);
+                if (ball != no_event) return ball;
+            } else if (holds(next, event)) {
+                return event.ball;
+            }
         }
         for (; !heap_.empty(); drop_top()) {
             Ranked const& top = heap_.front();
@@ -61,10 +92,6 @@ public:
 private:
     static constexpr std::size_t row_max = 64;
 
-    struct Event {
-        Real time;
-        std::int32_t ball;
-    };
     struct Ranked : Event {
         typename NextEvents<Real>::Rank rank;
     };
@@ -72,16 +99,49 @@ private:
         return a.time != b.time ? a.time > b.time : a.rank > b.rank;
     }
 
-    std::size_t row_size() const { return row_.size() - 1; }
-    void clear_row() { row_.assign(1, {infinity<Real>, no_event}); }
+    std::size_t row_size() const { return end_ - first_; }
+    void clear_row() {
+        first_ = end_ = 0;
+        if (row_.empty()) row_.resize(4 * row_max);
+        row_[0].time = infinity<Real>;
+    }
+
+    /// Behind the row and what is written there, and for the event at infinity that ends it.
+    void make_room(std::size_t more, std::size_t written = 0) {
+        if (end_ + written + more < row_.size()) return;
+        std::copy(row_.begin() + static_cast<std::ptrdiff_t>(first_),
+                  row_.begin() + static_cast<std::ptrdiff_t>(end_ + std::max<std::size_t>(written, 1)),
+                  row_.begin());
+        end_ -= first_;
+        first_ = 0;
+        if (end_ + written + more >= row_.size()) row_.resize(2 * (end_ + written + more + 1));
+    }
+
+    /// Each goes behind those that are earlier, and of equal ones behind those that were before it.
+    static void put_in_order(Event* events, std::size_t count) {
+        if constexpr (has_lanes<Real>) {
+            if (count <= static_cast<std::size_t>(lane_count)) return put_few_in_order(events, count);
+        }
+        std::stable_sort(events, events + count,
+                         [](Event const& a, Event const& b) { return a.time < b.time; });
+    }
+    static void put_few_in_order(Event* events, std::size_t count) {
+        Event copy[lane_count];
+        Lanes<Real> times = broadcast(infinity<Real>);
+        for (std::size_t k = 0; k < count; ++k) {
+            copy[k] = events[k];
+            times[k] = events[k].time;
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            Lanes<Real> const own = broadcast(copy[k].time);
+            std::uint32_t const before =
+                bits_of(times < own) | (bits_of(times == own) & ((1u << k) - 1));
+            events[std::popcount(before)] = copy[k];
+        }
+    }
 
     static bool holds(NextEvents<Real> const& next, Event const& event) {
         return next[event.ball].time() == event.time;
-    }
-
-    static bool same_collision(NextEvents<Real> const& next, std::int32_t a, std::int32_t b) {
-        return next[a].partner == b && next.kind(a) == EventKind::ball &&
-               next.kind(b) == EventKind::ball && next.mutual(a);
     }
 
     static bool holds(NextEvents<Real> const& next, Ranked const& event) {
@@ -99,8 +159,8 @@ private:
         std::push_heap(heap_.begin(), heap_.end(), later_first);
     }
     void make_heap_with(NextEvents<Real> const& next, std::int32_t ball) {
-        for (Event const& event : row_)
-            if (event.ball != no_event && holds(next, event)) insert_in_heap(next, event.ball);
+        for (std::size_t k = first_; k < end_; ++k)
+            if (holds(next, row_[k])) insert_in_heap(next, row_[k].ball);
         clear_row();
         insert_in_heap(next, ball);
     }
@@ -109,20 +169,19 @@ private:
         heap_.pop_back();
     }
 
-    std::int32_t first_in_row(NextEvents<Real> const& next) const {
-        Event const& last = row_.back();
-        std::int32_t first = holds(next, last) ? last.ball : no_event;
-        for (std::size_t k = row_.size() - 1; row_[k - 1].time == last.time; --k) {
-            // The two of a collision, mostly: either stands for both.
-            std::int32_t const ball = row_[k - 1].ball;
-            if (first != no_event && same_collision(next, first, ball)) continue;
-            if (holds(next, row_[k - 1]) && (first == no_event || next.precedes(ball, first)))
-                first = ball;
+    /// Of the events at the time of the first one.
+    std::int32_t first_of_equals(NextEvents<Real> const& next) const {
+        std::int32_t first = no_event;
+        for (std::size_t k = first_; row_[k].time == row_[first_].time && k < end_; ++k) {
+            if (holds(next, row_[k]) &&
+                (first == no_event || next.precedes(row_[k].ball, first)))
+                first = row_[k].ball;
         }
         return first;
     }
 
-    std::vector<Event> row_;
+    std::vector<Event> row_; // from first_ to end_, where an event that never comes stands
+    std::size_t first_ = 0, end_ = 0;
     std::vector<Ranked> heap_; // empty, or else no event is in the row
 };
 

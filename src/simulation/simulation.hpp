@@ -190,6 +190,7 @@ private:
         bool const first =
             found.ball != no_ball && next_.contact_precedes(found.time, ball, found.ball);
         if (first) {
+            drop_contact(ball);
             next_[ball].contact = found.time;
             next_[ball].partner = found.ball;
         }
@@ -243,6 +244,7 @@ private:
     /// Tells the queue, and the predictions of other balls, of a ball's next event.
     void file(std::int32_t ball) {
         note(ball, next_[ball].contact);
+        next_[ball].filed = true;
         queue_.update(next_, ball);
     }
 
@@ -253,12 +255,27 @@ private:
 
     /// The ball that this one is now going to hit takes note if that comes before its own plans.
     void tell_partner(std::int32_t ball) {
-        NextEvent<Real> const& event = next_[ball];
-        if (event.partner < 0 || !next_.contact_precedes(event.contact, event.partner, ball))
-            return;
-        next_[event.partner].contact = event.contact;
-        next_[event.partner].partner = ball;
-        file(event.partner);
+        Real const contact = next_[ball].contact;
+        std::int32_t const partner = next_[ball].partner;
+        if (partner < 0 || !next_.contact_precedes(contact, partner, ball)) return;
+        drop_contact(partner);
+        next_[partner].contact = contact;
+        next_[partner].partner = ball;
+        if constexpr (Queue<Real>::entries == Entries::one_a_ball) {
+            file(partner);
+        } else {
+            note(partner, contact);
+            next_[partner].filed = next_[partner].expiry <= contact;
+        }
+    }
+
+    /// A ball will no longer touch what it was going to. If that is a ball whose time stood in the
+    /// queue for both, it now needs a place of its own.
+    void drop_contact(std::int32_t ball) {
+        if constexpr (Queue<Real>::entries == Entries::one_an_event) {
+            std::int32_t const other = next_[ball].partner;
+            if (other >= 0 && !next_[other].filed && next_.mutual(ball)) file(other);
+        }
     }
 
     /// The report's second update: balls that were going to hit one of the two look again.

@@ -64,15 +64,14 @@ public:
         }
     }
 
-    /// Empties a bin into visit(ball), one after the other. What is visited may be inserted anew,
-    /// into this bin too.
-    template <class Visit> void drain(std::size_t bin, Visit&& visit) {
+    /// Empties a bin, block by block, into visit(balls, count). What is visited may be inserted
+    /// anew, into this bin too.
+    template <class Visit> void drain_blocks(std::size_t bin, Visit&& visit) {
         Block block = blocks_[bin];
         blocks_[bin].count = 0;
         blocks_[bin].more = end_of_chain;
         for (;;) {
-            for (std::int32_t k = 0; k < block.count; ++k)
-                visit(block.ball[static_cast<std::size_t>(k)]);
+            visit(block.ball.data(), static_cast<std::size_t>(block.count));
             if (block.more == end_of_chain) return;
             std::int32_t const next = block.more;
             block = blocks_[static_cast<std::size_t>(next)];
