@@ -57,8 +57,7 @@ public:
         return {list, end};
     }
 
-    /// When the ball leaves its shell: the later root of |x - centre| = radius, formed without
-    /// cancellation.
+    /// When the ball leaves its shell: the later root of |x - centre| = radius.
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) const {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
         using Numbers = Fours<double>; // an index needs no more than double
@@ -71,11 +70,9 @@ public:
         double const a = dot(v * v), b = dot(out * v), inside = radius2_ - dot(out * out);
         if (!(a > 0)) return infinity<Real>;
         if (!(inside > 0)) return now;
-        double const root = std::sqrt(b * b + a * inside);
-        // A choice, not a branch, of what is divided: whether it flies out cannot be foretold.
-        bool const outwards = b > 0;
-        double const dividend = outwards ? inside : root - b, divisor = outwards ? b + root : a;
-        return now + static_cast<Real>(dividend / divisor);
+        // What the difference loses is a rounding of the shell's radius, and `reach` has room for
+        // more; to choose a formula by the sign of b would be a branch that cannot be foretold.
+        return now + static_cast<Real>(std::max(std::sqrt(b * b + a * inside) - b, 0.0) / a);
     }
 
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,

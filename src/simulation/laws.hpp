@@ -42,6 +42,12 @@ public:
         }
     }
 
+    /// Whether two balls that collide are a diameter apart beyond any question, which takes no root.
+    bool near_contact(Real distance2, Real diameter2) const {
+        using std::abs;
+        return abs(distance2 - diameter2) <= rounding_of_places_;
+    }
+
     /// Two balls that collide are a diameter apart, to the rounding of places and times.
     void in_contact(Real distance2, Real diameter2, Pair<Real> const& pair,
                     Clock<Real> const& clock, std::int32_t i, std::int32_t j,
@@ -49,7 +55,6 @@ public:
         using std::abs;
         using std::sqrt;
         Real const off = distance2 - diameter2;
-        if (abs(off) <= rounding_of_places_) return; // mostly, and it takes no root
         Real const speed = sqrt(pair.vx * pair.vx + pair.vy * pair.vy + pair.vz * pair.vz);
         Real const allowed = 2 * rounding_ * (length_ + speed * epoch_length_) * sqrt(diameter2);
         if (abs(off) <= allowed) return;

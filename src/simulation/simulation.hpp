@@ -129,19 +129,23 @@ private:
     }
 
     template <class Observer> void collide(std::int32_t i, std::int32_t j, Observer& observe) {
-        if (next_.number(j) < next_.number(i)) std::swap(i, j);
+        // Which is called i makes no difference but to who is told.
+        if constexpr (!std::is_same_v<Observer, NoObserver>) {
+            if (next_.number(j) < next_.number(i)) std::swap(i, j);
+        }
         state_.fly_to(i, clock_.offset);
         state_.fly_to(j, clock_.offset);
         Pair<Real> const pair = pair_of(state_[i], state_[j], state_.cube, clock_.offset);
         Vector3<Real> const separation{pair.x, pair.y, pair.z};
         Real const distance2 = dot<Real>(separation, separation);
         Real const diameter2 = model_.diameter_squared(pair, clock_.offset);
-        laws_.in_contact(distance2, diameter2, pair, clock_, next_.number(i), next_.number(j),
-                         tallies_);
+        if (!laws_.near_contact(distance2, diameter2)) {
+            laws_.in_contact(distance2, diameter2, pair, clock_, next_.number(i), next_.number(j),
+                             tallies_);
+        }
 
-        Vector3<Real> const impulse = static_cast<Real>(state_.system.mass) *
-                                      model_.collide(state_[i].velocity, state_[j].velocity,
-                                                     separation, tallies_.ball_collisions);
+        Vector3<Real> const impulse =
+            static_cast<Real>(state_.system.mass) * exchange_impulse(i, j, separation);
         ++tallies_.ball_collisions;
         tallies_.virial += static_cast<double>(dot<Real>(separation, impulse));
         double const overlap = static_cast<double>((diameter2 - distance2) / (2 * diameter2));
@@ -150,12 +154,29 @@ private:
             observe(collision(CollisionKind::ball, i, next_.number(j), state_[j].velocity,
                               separation, impulse));
         }
-        note(i, infinity<Real>); // both are predicted anew: neither waits for the other
-        note(j, infinity<Real>);
         search_.settle(state_.balls, i);
         search_.settle(state_.balls, j);
         predict_both(i, j);
         if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(i, j);
+    }
+
+    /// Returns the momentum per unit mass that j is given. Both will be predicted anew, so that
+    /// neither waits for the other.
+    Vector3<Real> exchange_impulse(std::int32_t i, std::int32_t j,
+                                   Vector3<Real> const& separation) {
+        Ball<Real>& one = state_[i];
+        Ball<Real>& other = state_[j];
+        if constexpr (heeds_notes<Model<Real>>) {
+            Vector3<Real> velocity_i = one.velocity, velocity_j = other.velocity;
+            Vector3<Real> const given =
+                model_.collide(velocity_i, velocity_j, separation, tallies_.ball_collisions);
+            set_velocity_and_note(one, velocity_i, infinity<Real>);
+            set_velocity_and_note(other, velocity_j, infinity<Real>);
+            return given;
+        } else {
+            return model_.collide(one.velocity, other.velocity, separation,
+                                  tallies_.ball_collisions);
+        }
     }
 
     template <class Observer> void bounce(std::int32_t ball, std::int32_t wall, Observer& observe) {

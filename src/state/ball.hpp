@@ -40,6 +40,18 @@ template <class Real> void set_point_and_time(Ball<Real>& ball, Fours<Real> cons
     std::memcpy(reinterpret_cast<char*>(&ball), &four, sizeof four);
 }
 
+template <class Real>
+void set_velocity_and_note(Ball<Real>& ball, Vector3<Real> const& velocity, Real note) {
+    if constexpr (has_lanes<Real>) {
+        // At once: what is soon read as one would otherwise wait for all four to be written.
+        Fours<Real> const four{velocity[0], velocity[1], velocity[2], note};
+        std::memcpy(reinterpret_cast<char*>(&ball) + sizeof four, &four, sizeof four);
+    } else {
+        ball.velocity = velocity;
+        ball.note = note;
+    }
+}
+
 /// For indexes, which need no more than double of any type's records.
 template <class Real> Fours<double> in_double(Vector3<Real> const& x) {
     Fours<double> four{};
