@@ -75,6 +75,14 @@ public:
     template <class... Given> decltype(auto) candidates(Given&&... given) const {
         return Search::candidates(std::forward<Given>(given)...);
     }
+    template <class... Given>
+    auto candidates_of_both(Given&&... given) requires requires(Search search) {
+        search.candidates_of_both(given...);
+    }
+    {
+        During const during(Part::search, Part::prediction);
+        return Search::candidates_of_both(std::forward<Given>(given)...);
+    }
     template <class... Given> decltype(auto) refresh(Given&&... given) {
         During const during(Part::search, Part::prediction);
         return Search::refresh(std::forward<Given>(given)...);

@@ -93,9 +93,11 @@ public:
     }
 
     std::span<std::int32_t const> candidates(std::int32_t ball) {
-        found_.clear();
-        bins_.collect_around(bins_.cell_of(ball), found_);
-        return padded(ball);
+        return candidates_in(found_, ball);
+    }
+    std::array<std::span<std::int32_t const>, 2> candidates_of_both(std::int32_t i,
+                                                                    std::int32_t j) {
+        return {candidates_in(found_, i), candidates_in(also_found_, j)};
     }
 
     /// When the ball has strayed too far from its cell, which is what the last crossing said, never
@@ -147,7 +149,7 @@ public:
         bins_.insert(ball, crossing.to);
         found_.clear();
         bins_.collect_beyond(crossing.to, crossing.axis, crossing.direction, found_);
-        return padded(ball);
+        return padded(found_, ball);
     }
 
     /// Whether narrow cells have been crossed so often that it is worth a look whether the balls
@@ -180,7 +182,7 @@ public:
         bins_.glance_beyond(crossing.to, crossing.axis, crossing.direction, visit);
     }
 
-    std::size_t bytes() const { return bins_.bytes() + found_.bytes(); }
+    std::size_t bytes() const { return bins_.bytes() + found_.bytes() + also_found_.bytes(); }
 
 private:
     // With four, balls in adjacent cells can be exactly half a side apart: then either image is the
@@ -244,9 +246,14 @@ private:
         return seen > many * asked;
     }
 
-    std::span<std::int32_t const> padded(std::int32_t ball) {
-        found_.template pad<lane_count>(ball);
-        return {found_.begin(), found_.size()};
+    std::span<std::int32_t const> candidates_in(BallBuffer& found, std::int32_t ball) {
+        found.clear();
+        bins_.collect_around(bins_.cell_of(ball), found);
+        return padded(found, ball);
+    }
+    static std::span<std::int32_t const> padded(BallBuffer& found, std::int32_t ball) {
+        found.template pad<lane_count>(ball);
+        return {found.begin(), found.size()};
     }
 
     Container cube_;
@@ -257,7 +264,7 @@ private:
     double reach_;              // centres farther apart than this do not touch
     double stray_ = 0;          // how far a ball may be from its cell
     double origin_, cell_side_, side_, inverse_side_; // an index needs no more than double
-    BallBuffer found_;                                // reused
+    BallBuffer found_, also_found_;                   // reused
 };
 
 } // namespace clack

@@ -57,6 +57,11 @@ public:
         return {list, end};
     }
 
+    std::array<std::span<std::int32_t const>, 2> candidates_of_both(std::int32_t i,
+                                                                    std::int32_t j) const {
+        return {candidates(i), candidates(j)};
+    }
+
     /// When the ball leaves its shell: the later root of |x - centre| = radius.
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) const {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];

@@ -14,7 +14,8 @@ namespace clack {
 /// An index over the balls, built from their records at any moment and thrown away as lightly. Two
 /// balls neither of which has expired are in each other's candidates, or cannot touch before one of
 /// them expires. Spans stay valid until the next call and are padded with the ball itself to a
-/// multiple of lane_count.
+/// multiple of lane_count. A search may also give `candidates_of_both(i, j)`, two spans that are
+/// valid together.
 template <class Search, class Real>
 concept NeighbourSearch = requires(Search search, std::vector<Ball<Real>> const& balls,
                                    std::int32_t ball, Real now) {

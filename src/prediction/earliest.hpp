@@ -3,9 +3,10 @@
 
 #include "prediction/contact.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace clack {
@@ -140,43 +141,72 @@ pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& 
     return pair;
 }
 
-/// As many candidates at a time as there are lanes, to a multiple of which `candidates` is padded
-/// with i itself: a ball never touches itself, having no velocity relative to itself (unless balls
-/// grow).
-template <Flight flight, class Real, class Container, class Model>
-Contact<Real> earliest_in_lanes(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
-                                std::span<std::int32_t const> candidates, Real now, Real limit) {
-    using V = Lanes<Real>;
-    using I = LaneIntegers<Real>;
-    Ball<Real> const ball = scenery.balls[static_cast<std::size_t>(i)];
-    V const never = broadcast(std::numeric_limits<Real>::quiet_NaN());
-    V best = broadcast(limit);
-    I batch{}, tie{};
-    for (std::size_t first = 0; first < candidates.size(); first += lane_count) {
-        BallLanes<Real> const other = load_balls(scenery.balls.data(), candidates.data() + first);
-        V time = scenery.model.contact_time(pairs_of<flight>(ball, other, scenery.cube, now));
+/// As many candidates of one ball at a time as there are lanes. The candidates are padded to a
+/// multiple of that with the ball itself, which never touches itself, having no velocity relative
+/// to itself (unless balls grow).
+template <Flight flight, class Real, class Container, class Model> class LaneSearch {
+public:
+    /// Contacts later than `limit` may be left out.
+    [[gnu::always_inline]] LaneSearch(Scenery<Real, Container, Model> const& scenery,
+                                      std::int32_t ball,
+                                      std::span<std::int32_t const> candidates, Real now,
+                                      Real limit)
+        : scenery_(scenery), record_(scenery.balls[static_cast<std::size_t>(ball)]), ball_(ball),
+          candidates_(candidates), now_(now), limit_(limit), best_(broadcast(limit)) {}
+
+    std::size_t size() const { return candidates_.size(); }
+
+    /// The candidates from number `first` on.
+    [[gnu::always_inline]] void look_at(std::size_t first) {
+        BallLanes<Real> const other =
+            load_balls(scenery_.balls.data(), candidates_.data() + first);
+        V time =
+            scenery_.model.contact_time(pairs_of<flight>(record_, other, scenery_.cube, now_));
+        V const never = broadcast(std::numeric_limits<Real>::quiet_NaN());
         if constexpr (heeds_notes<Model>) time = other.note < time ? never : time;
         if constexpr (Model::grows) {
             for (int lane = 0; lane < lane_count; ++lane) {
-                if (candidates[first + static_cast<std::size_t>(lane)] == i)
+                if (candidates_[first + static_cast<std::size_t>(lane)] == ball_)
                     time[lane] = never[lane];
             }
         }
-        tie |= time == best;
-        I const earlier = time < best;
-        best = earlier ? time : best;
-        batch = earlier ? I{} + static_cast<decltype(batch[0] + 0)>(first) : batch;
+        tie_ |= time == best_;
+        I const earlier = time < best_;
+        best_ = earlier ? time : best_;
+        batch_ = earlier ? I{} + static_cast<decltype(batch_[0] + 0)>(first) : batch_;
     }
 
-    Real const time = folded(best, [](V const& a, V const& b) { return a < b ? a : b; });
-    bool tied = bits_of(tie) != 0;
-    if (!(time < limit) && !tied) return {};
-    std::uint32_t const here = bits_of(best == time);
-    tied |= (here & (here - 1)) != 0;
-    // Ties are for lattices: then the numbers decide, one by one.
-    if (tied) return earliest_one_by_one(scenery, i, candidates, now);
-    auto const lane = static_cast<std::size_t>(__builtin_ctz(here));
-    return {time, candidates[static_cast<std::size_t>(batch[lane]) + lane]};
+    [[gnu::always_inline]] Contact<Real> earliest() const {
+        Real const time = folded(best_, [](V const& a, V const& b) { return a < b ? a : b; });
+        bool tied = bits_of(tie_) != 0;
+        if (!(time < limit_) && !tied) return {};
+        std::uint32_t const here = bits_of(best_ == time);
+        tied |= (here & (here - 1)) != 0;
+        // Ties are for lattices: then the numbers decide, one by one.
+        if (tied) return earliest_one_by_one(scenery_, ball_, candidates_, now_);
+        auto const lane = static_cast<std::size_t>(__builtin_ctz(here));
+        return {time, candidates_[static_cast<std::size_t>(batch_[lane]) + lane]};
+    }
+
+private:
+    using V = Lanes<Real>;
+    using I = LaneIntegers<Real>;
+
+    Scenery<Real, Container, Model> const& scenery_;
+    Ball<Real> const& record_;
+    std::int32_t ball_;
+    std::span<std::int32_t const> candidates_;
+    Real now_, limit_;
+    V best_;
+    I batch_{}, tie_{};
+};
+
+template <Flight flight, class Real, class Container, class Model>
+Contact<Real> earliest_in_lanes(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                                std::span<std::int32_t const> candidates, Real now, Real limit) {
+    LaneSearch<flight, Real, Container, Model> search(scenery, i, candidates, now, limit);
+    for (std::size_t first = 0; first < search.size(); first += lane_count) search.look_at(first);
+    return search.earliest();
 }
 
 /// The earliest contact of ball i with the candidates (padded as above), at or after the later of
@@ -201,6 +231,34 @@ Contact<Real> earliest_contact(Scenery<Real, Container, Model> const& scenery, s
         }
     }
     return earliest_one_by_one(scenery, i, candidates, now);
+}
+
+/// The same for two balls that have both been written at `now`, side by side: neither waits for the
+/// other's roots.
+template <class Real, class Container, class Model>
+std::pair<Contact<Real>, Contact<Real>>
+earliest_contacts(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                  std::span<std::int32_t const> candidates_i, std::int32_t j,
+                  std::span<std::int32_t const> candidates_j, Real now) {
+    if constexpr (has_lanes<Real>) {
+        if (!scenery.several_images) {
+            Real const never = infinity<Real>;
+            using Search = LaneSearch<Flight::begins_now, Real, Container, Model>;
+            Search one(scenery, i, candidates_i, now, never);
+            Search other(scenery, j, candidates_j, now, never);
+            std::size_t const both = std::min(one.size(), other.size());
+            std::size_t first = 0;
+            for (; first < both; first += lane_count) {
+                one.look_at(first);
+                other.look_at(first);
+            }
+            for (std::size_t k = first; k < one.size(); k += lane_count) one.look_at(k);
+            for (std::size_t k = first; k < other.size(); k += lane_count) other.look_at(k);
+            return {one.earliest(), other.earliest()};
+        }
+    }
+    return {earliest_one_by_one(scenery, i, candidates_i, now),
+            earliest_one_by_one(scenery, j, candidates_j, now)};
 }
 
 } // namespace clack

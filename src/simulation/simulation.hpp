@@ -249,17 +249,27 @@ private:
 
     /// Two balls that have collided.
     void predict_both(std::int32_t i, std::int32_t j) {
-        Contact<Real> const found[]{
-            earliest_contact(scenery(), i, search_.candidates(i), clock_.offset),
-            earliest_contact(scenery(), j, search_.candidates(j), clock_.offset)};
-        for (Contact<Real> const& contact : found) // they will be told
-            prefetch(&next_[std::max(contact.ball, 0)]);
-        next_[i] = next_event(i, found[0]);
+        auto const [found_i, found_j] = contacts_of_both(i, j);
+        for (std::int32_t const ball : {found_i.ball, found_j.ball}) // they will be told
+            prefetch(&next_[std::max(ball, 0)]);
+        next_[i] = next_event(i, found_i);
         file(i); // a queue hears of one change at a time
-        next_[j] = next_event(j, found[1]);
+        next_[j] = next_event(j, found_j);
         file(j);
         tell_partner(i);
         tell_partner(j);
+    }
+
+    std::pair<Contact<Real>, Contact<Real>> contacts_of_both(std::int32_t i, std::int32_t j) {
+        if constexpr (requires { search_.candidates_of_both(i, j); }) {
+            auto const [around_i, around_j] = search_.candidates_of_both(i, j);
+            return earliest_contacts(scenery(), i, around_i, j, around_j, clock_.offset);
+        } else {
+            auto const of = [&](std::int32_t ball) {
+                return earliest_contact(scenery(), ball, search_.candidates(ball), clock_.offset);
+            };
+            return {of(i), of(j)};
+        }
     }
 
     /// Tells the queue, and the predictions of other balls, of a ball's next event.
