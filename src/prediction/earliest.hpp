@@ -141,72 +141,83 @@ pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& 
     return pair;
 }
 
-/// As many candidates of one ball at a time as there are lanes. The candidates are padded to a
-/// multiple of that with the ball itself, which never touches itself, having no velocity relative
-/// to itself (unless balls grow).
+/// As many candidates of one ball at a time as there are lanes, `most` in all. The candidates are
+/// padded to a multiple of that with the ball itself, which never touches itself, having no
+/// velocity relative to itself (unless balls grow).
 template <Flight flight, class Real, class Container, class Model> class LaneSearch {
 public:
-    /// Contacts later than `limit` may be left out.
+    static constexpr std::size_t most = 64; // a bit each
+
     [[gnu::always_inline]] LaneSearch(Scenery<Real, Container, Model> const& scenery,
-                                      std::int32_t ball,
-                                      std::span<std::int32_t const> candidates, Real now,
-                                      Real limit)
+                                      std::int32_t ball, std::span<std::int32_t const> candidates,
+                                      Real now)
         : scenery_(scenery), record_(scenery.balls[static_cast<std::size_t>(ball)]), ball_(ball),
-          candidates_(candidates), now_(now), limit_(limit), best_(broadcast(limit)) {}
+          candidates_(candidates), now_(now) {}
 
     std::size_t size() const { return candidates_.size(); }
 
     /// The candidates from number `first` on.
     [[gnu::always_inline]] void look_at(std::size_t first) {
-        BallLanes<Real> const other =
-            load_balls(scenery_.balls.data(), candidates_.data() + first);
-        V time =
-            scenery_.model.contact_time(pairs_of<flight>(record_, other, scenery_.cube, now_));
-        V const never = broadcast(std::numeric_limits<Real>::quiet_NaN());
-        if constexpr (heeds_notes<Model>) time = other.note < time ? never : time;
+        BallLanes<Real> const other = load_balls(scenery_.balls.data(), candidates_.data() + first);
+        V time = scenery_.model.contact_time(pairs_of<flight>(record_, other, scenery_.cube, now_));
+        V const never = broadcast(infinity<Real>);
+        if constexpr (heeds_notes<Model>) {
+            time = time <= other.note ? time : never;
+        } else {
+            time = time < never ? time : never;
+        }
         if constexpr (Model::grows) {
             for (int lane = 0; lane < lane_count; ++lane) {
                 if (candidates_[first + static_cast<std::size_t>(lane)] == ball_)
                     time[lane] = never[lane];
             }
         }
-        tie_ |= time == best_;
-        I const earlier = time < best_;
-        best_ = earlier ? time : best_;
-        batch_ = earlier ? I{} + static_cast<decltype(batch_[0] + 0)>(first) : batch_;
+        times_[first / lane_count] = time;
+        best_ = time < best_ ? time : best_;
     }
 
-    [[gnu::always_inline]] Contact<Real> earliest() const {
+    /// Contacts that are not before `limit` are left out.
+    [[gnu::always_inline]] Contact<Real> earliest(Real limit) const {
         Real const time = folded(best_, [](V const& a, V const& b) { return a < b ? a : b; });
-        bool tied = bits_of(tie_) != 0;
-        if (!(time < limit_) && !tied) return {};
-        std::uint32_t const here = bits_of(best_ == time);
-        tied |= (here & (here - 1)) != 0;
+        if (!(time < limit)) return {};
+        V const earliest = broadcast(time);
+        std::uint64_t here = 0;
+        for (std::size_t first = 0; first < size(); first += lane_count)
+            here |= std::uint64_t{bits_of_equal(times_[first / lane_count], earliest)} << first;
         // Ties are for lattices: then the numbers decide, one by one.
-        if (tied) return earliest_one_by_one(scenery_, ball_, candidates_, now_);
-        auto const lane = static_cast<std::size_t>(__builtin_ctz(here));
-        return {time, candidates_[static_cast<std::size_t>(batch_[lane]) + lane]};
+        if ((here & (here - 1)) != 0)
+            return earliest_one_by_one(scenery_, ball_, candidates_, now_);
+        return {time, candidates_[static_cast<std::size_t>(__builtin_ctzll(here))]};
     }
 
 private:
     using V = Lanes<Real>;
-    using I = LaneIntegers<Real>;
 
     Scenery<Real, Container, Model> const& scenery_;
     Ball<Real> const& record_;
     std::int32_t ball_;
     std::span<std::int32_t const> candidates_;
-    Real now_, limit_;
-    V best_;
-    I batch_{}, tie_{};
+    Real now_;
+    V best_ = broadcast(infinity<Real>);
+    V times_[most / lane_count];
 };
 
 template <Flight flight, class Real, class Container, class Model>
 Contact<Real> earliest_in_lanes(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
                                 std::span<std::int32_t const> candidates, Real now, Real limit) {
-    LaneSearch<flight, Real, Container, Model> search(scenery, i, candidates, now, limit);
-    for (std::size_t first = 0; first < search.size(); first += lane_count) search.look_at(first);
-    return search.earliest();
+    using Search = LaneSearch<flight, Real, Container, Model>;
+    Contact<Real> best;
+    for (std::size_t from = 0; from < candidates.size(); from += Search::most) {
+        Search search(scenery, i,
+                      candidates.subspan(from, std::min(Search::most, candidates.size() - from)),
+                      now);
+        for (std::size_t first = 0; first < search.size(); first += lane_count)
+            search.look_at(first);
+        Contact<Real> const found = search.earliest(limit);
+        if (found.ball != no_ball && comes_first(scenery, found.time, found.ball, best))
+            best = found;
+    }
+    return best;
 }
 
 /// The earliest contact of ball i with the candidates (padded as above), at or after the later of
@@ -241,11 +252,10 @@ earliest_contacts(Scenery<Real, Container, Model> const& scenery, std::int32_t i
                   std::span<std::int32_t const> candidates_i, std::int32_t j,
                   std::span<std::int32_t const> candidates_j, Real now) {
     if constexpr (has_lanes<Real>) {
-        if (!scenery.several_images) {
-            Real const never = infinity<Real>;
-            using Search = LaneSearch<Flight::begins_now, Real, Container, Model>;
-            Search one(scenery, i, candidates_i, now, never);
-            Search other(scenery, j, candidates_j, now, never);
+        using Search = LaneSearch<Flight::begins_now, Real, Container, Model>;
+        if (!scenery.several_images &&
+            std::max(candidates_i.size(), candidates_j.size()) <= Search::most) {
+            Search one(scenery, i, candidates_i, now), other(scenery, j, candidates_j, now);
             std::size_t const both = std::min(one.size(), other.size());
             std::size_t first = 0;
             for (; first < both; first += lane_count) {
@@ -254,11 +264,11 @@ earliest_contacts(Scenery<Real, Container, Model> const& scenery, std::int32_t i
             }
             for (std::size_t k = first; k < one.size(); k += lane_count) one.look_at(k);
             for (std::size_t k = first; k < other.size(); k += lane_count) other.look_at(k);
-            return {one.earliest(), other.earliest()};
+            return {one.earliest(infinity<Real>), other.earliest(infinity<Real>)};
         }
     }
-    return {earliest_one_by_one(scenery, i, candidates_i, now),
-            earliest_one_by_one(scenery, j, candidates_j, now)};
+    return {earliest_contact(scenery, i, candidates_i, now),
+            earliest_contact(scenery, j, candidates_j, now)};
 }
 
 } // namespace clack

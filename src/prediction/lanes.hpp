@@ -90,6 +90,36 @@ template <class Condition> [[gnu::always_inline]] inline std::uint32_t bits_of(C
 #endif
 }
 
+/// A bit for each lane in which two numbers are equal, or the first is smaller.
+template <class Numbers>
+[[gnu::always_inline]] inline std::uint32_t bits_of_equal(Numbers const& a, Numbers const& b) {
+#ifdef __AVX512VL__ // g++ 12 would make a vector of the mask and a mask of the vector
+    if constexpr (sizeof a == sizeof(__m512d)) {
+        return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
+                                  _CMP_EQ_OQ);
+    } else {
+        return _mm256_cmp_ps_mask(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b),
+                                  _CMP_EQ_OQ);
+    }
+#else
+    return bits_of(a == b);
+#endif
+}
+template <class Numbers>
+[[gnu::always_inline]] inline std::uint32_t bits_of_less(Numbers const& a, Numbers const& b) {
+#ifdef __AVX512VL__
+    if constexpr (sizeof a == sizeof(__m512d)) {
+        return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
+                                  _CMP_LT_OQ);
+    } else {
+        return _mm256_cmp_ps_mask(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b),
+                                  _CMP_LT_OQ);
+    }
+#else
+    return bits_of(a < b);
+#endif
+}
+
 /// Calls visit(lane) for each lane in which a condition holds.
 template <class Condition, class Visit>
 [[gnu::always_inline]] inline void for_each_lane(Condition holds, Visit&& visit) {

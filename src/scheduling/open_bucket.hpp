@@ -135,7 +135,7 @@ private:
         for (std::size_t k = 0; k < count; ++k) {
             Lanes<Real> const own = broadcast(copy[k].time);
             std::uint32_t const before =
-                bits_of(times < own) | (bits_of(times == own) & ((1u << k) - 1));
+                bits_of_less(times, own) | (bits_of_equal(times, own) & ((1u << k) - 1));
             events[std::popcount(before)] = copy[k];
         }
     }

@@ -7,6 +7,7 @@
 #include <boost/multiprecision/eigen.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -35,10 +36,18 @@ template <class Real> Real dot(Vector3<Real> const& a, Vector3<Real> const& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The nearest whole number, halves to even, by the rounding of one addition: it costs two
-/// instructions in a vector unit of any age and is odd, nearest(-x) == -nearest(x). Exact while
-/// |x| < 2^(digits - 2), which no box reaches.
+/// The nearest whole number, halves to even: odd, nearest(-x) == -nearest(x). By the rounding of an
+/// addition, which is exact while |x| < 2^(digits - 2), which no box reaches; many at a time by the
+/// one instruction that vector units have for it, to the same bits but for the sign of zero.
 template <class Number, class Real = Number> Number nearest_integer(Number x) {
+#ifdef __SSE4_1__
+    if constexpr (!std::is_same_v<Number, Real>) {
+        Number whole;
+        for (std::size_t lane = 0; lane < sizeof x / sizeof(Real); ++lane)
+            whole[lane] = std::nearbyint(x[lane]);
+        return whole;
+    }
+#endif
     Real const shift = 3 / (2 * std::numeric_limits<Real>::epsilon()); // 1.5 2^(digits - 1)
     return (x + shift) - shift;
 }
