@@ -92,7 +92,8 @@ public:
         BallBuffer const& fresh = near(ball);
         tell_others(ball, fresh);
         write(ball, fresh);
-        return candidates(ball);
+        added_.template pad<lane_count>(ball);
+        return {added_.begin(), added_.size()};
     }
 
     /// Hints to the memory: a ball's own entries, and what follows `candidates` and `refresh`.
