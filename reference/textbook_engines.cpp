@@ -120,7 +120,7 @@ public:
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) const {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
         Vector3<Real> const place = place_of(record, now);
-        CellBins::Cell const cell = lattice_.cell_at(place);
+        Cell const cell = lattice_.cell_at(place);
         Real first = infinity<Real>;
         for (int d = 0; d < 3; ++d) {
             Real const v = record.velocity[d];
@@ -151,7 +151,7 @@ private:
 
     Container cube_;
     CellLattice<Real> lattice_;
-    CellBins bins_;
+    CellBins<3> bins_;
     BallBuffer found_;
 };
 

@@ -51,12 +51,13 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Balls by cell. Where there are more cells than bins, cells that are a multiple of the bins apart
-/// along an axis share one: a ball's surroundings then hold a few balls that are far away.
-class CellBins {
-public:
-    using Cell = std::array<std::int32_t, 4>; // three coordinates, and what its owner notes there
+/// Three coordinates, and what the owner of the bins notes there.
+using Cell = std::array<std::int32_t, 4>;
 
+/// Balls by cell; a bin has a block of `places`. Where there are more cells than bins, cells that are a multiple of the bins apart
+/// along an axis share one: a ball's surroundings then hold a few balls that are far away.
+template <std::int32_t places> class CellBins {
+public:
     CellBins(Boundary boundary, std::int32_t cells_per_side, std::size_t ball_count)
         : boundary_(boundary), bins_per_side_(cells_per_side),
           cell_of_(large_vector<Cell>(ball_count)) {
@@ -155,8 +156,9 @@ public:
     std::size_t bytes() const { return cells_.bytes() + cell_of_.capacity() * sizeof(Cell); }
 
 private:
-    using Cells = ChainedBins<6>; // a block is half a cache line
-    using Whole [[gnu::vector_size(sizeof(Cells::Block))]] = std::int32_t;
+    using Cells = ChainedBins<places>;
+    using Block = typename Cells::Block;
+    using Whole [[gnu::vector_size(sizeof(Block))]] = std::int32_t;
 
     void fetch_bin(std::size_t bin) const { prefetch(&cells_.block(bin)); }
 
@@ -192,28 +194,28 @@ private:
     /// copied whole, which takes neither loop nor branch, and the part that counts is kept.
     /// Measured at packing fraction 0.05: a seventh of all instructions saved.
     template <std::size_t bins, class Visit> void collect(BallBuffer& balls, Visit&& visit) const {
-        std::int32_t* end = balls.room(bins * sizeof(Cells::Block) / sizeof(std::int32_t));
-        std::int32_t more = Cells::end_of_chain;
-        Cells::Block const* const blocks = &cells_.block(0);
+        std::int32_t* end = balls.room(bins * (places + 1));
+        std::int32_t all_last = -1;
+        Block const* const blocks = &cells_.block(0);
         visit([&](std::size_t bin) {
-            Cells::Block const& block = blocks[bin];
+            Block const& block = blocks[bin];
             Whole copied; // in one register
             std::memcpy(&copied, &block, sizeof block);
             std::memcpy(end, &copied, sizeof copied);
-            end += block.count;
-            more &= block.more;
+            end += block.count();
+            all_last &= block.tail;
         });
         balls.grow_to(end);
-        if (more != Cells::end_of_chain) visit([&](std::size_t bin) { collect_chain(bin, balls); });
+        if (all_last >= 0) visit([&](std::size_t bin) { collect_chain(bin, balls); });
     }
 
     /// What does not fit into a bin's first block.
     void collect_chain(std::size_t bin, BallBuffer& balls) const {
-        for (std::int32_t more = cells_.block(bin).more; more != Cells::end_of_chain;) {
-            Cells::Block const& block = cells_.block(static_cast<std::size_t>(more));
-            std::copy_n(block.ball.data(), block.count, balls.room(block.ball.size()));
-            balls.grow_by(static_cast<std::size_t>(block.count));
-            more = block.more;
+        for (std::int32_t more = cells_.block(bin).more(); more != Cells::end_of_chain;) {
+            Block const& block = cells_.block(static_cast<std::size_t>(more));
+            std::copy_n(block.ball.data(), block.count(), balls.room(block.ball.size()));
+            balls.grow_by(static_cast<std::size_t>(block.count()));
+            more = block.more();
         }
     }
 

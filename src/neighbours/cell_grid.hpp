@@ -48,8 +48,8 @@ template <class Real> struct CellLattice {
         return system.diameter + 1024 * unit * (system.diameter + system.side);
     }
 
-    CellBins::Cell cell_at(Vector3<Real> const& place) const {
-        CellBins::Cell cell{};
+    Cell cell_at(Vector3<Real> const& place) const {
+        Cell cell{};
         for (int d = 0; d < 3; ++d) {
             auto const raw = static_cast<std::int32_t>((place[d] - origin) * inverse_side);
             cell[static_cast<std::size_t>(d)] = std::clamp(raw, 0, per_side - 1);
@@ -132,8 +132,8 @@ public:
     /// Takes a ball that is about to be predicted anew, from all its candidates, back to the cell
     /// in which it is now.
     void settle(std::vector<Ball<Real>> const& balls, std::int32_t ball) {
-        CellBins::Cell const cell = lattice_.cell_at(balls[static_cast<std::size_t>(ball)].point);
-        CellBins::Cell const& old = bins_.cell_of(ball);
+        Cell const cell = lattice_.cell_at(balls[static_cast<std::size_t>(ball)].point);
+        Cell const& old = bins_.cell_of(ball);
         if (((cell[0] ^ old[0]) | (cell[1] ^ old[1]) | (cell[2] ^ old[2])) == 0) return;
         bins_.remove(ball);
         bins_.insert(ball, cell);
@@ -196,18 +196,18 @@ private:
     struct Crossing {
         std::size_t axis;
         std::int32_t direction;
-        CellBins::Cell to;
+        Cell to;
     };
     Crossing crossing_of(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        CellBins::Cell const& cell = bins_.cell_of(ball);
+        Cell const& cell = bins_.cell_of(ball);
         return crossing(cell, component(balls, ball, cell[3]));
     }
     /// The same of what another thread may be changing.
     Crossing glance_at_crossing(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        CellBins::Cell const cell = bins_.glance_at(ball);
+        Cell const cell = bins_.glance_at(ball);
         return crossing(cell, glance(component(balls, ball, cell[3])));
     }
-    Crossing crossing(CellBins::Cell const& from, Real velocity) const {
+    Crossing crossing(Cell const& from, Real velocity) const {
         auto const axis = static_cast<std::size_t>(from[3]);
         Crossing crossing{axis, velocity > 0 ? 1 : -1, from};
         crossing.to[axis] = bins_.next(crossing.to[axis], crossing.direction);
@@ -258,7 +258,7 @@ private:
 
     Container cube_;
     CellLattice<Real> lattice_;
-    CellBins bins_;             // noted there: the axis along which a ball will leave its cell
+    CellBins<3> bins_;             // noted there: the axis along which a ball will leave its cell
     std::int32_t coarsest_;     // cells across the cube
     std::size_t crossings_ = 0; // since the last rebuild
     double reach_;              // centres farther apart than this do not touch

@@ -84,7 +84,7 @@ public:
                                           Real now) {
         Centre& centre = centre_[static_cast<std::size_t>(ball)];
         centre = centre_at(balls[static_cast<std::size_t>(ball)].position(now));
-        CellBins::Cell const cell = lattice_.cell_at(place_of(centre));
+        Cell const cell = lattice_.cell_at(place_of(centre));
         if (cell != bins_.cell_of(ball)) {
             bins_.remove(ball);
             bins_.insert(ball, cell);
@@ -301,7 +301,7 @@ private:
     Real diameter_, per_diameter_;
     float side_, inverse_side_; // of the cube  [diameters]
     CellLattice<Real> lattice_;
-    CellBins bins_;
+    CellBins<7> bins_;
     std::vector<Centre> centre_;
     std::vector<Line> list_; // one row of width_ balls each
     std::size_t width_ = 0;

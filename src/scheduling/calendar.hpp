@@ -156,7 +156,7 @@ private:
             first = std::min(first, next[ball].time());
         if (first == infinity<Real>) return;
         for (std::int64_t bucket = 0; bucket <= mask_; ++bucket)
-            ring_.drain_blocks(slot_of(bucket), [](std::int32_t const*, std::size_t) {});
+            ring_.drain(slot_of(bucket), [](std::int32_t const*, std::size_t) {});
         file_all(next, first);
     }
 
@@ -166,10 +166,10 @@ private:
             fetch_following(next);
             file_waiting(slot);
         }
-        if (ring_.block(slot).count == 0) return;
+        if (ring_.block(slot).count() == 0) return;
         std::size_t fresh = 0;
         again_.clear();
-        ring_.drain_blocks(slot, [&](std::int32_t const* balls, std::size_t count) {
+        ring_.drain(slot, [&](std::int32_t const* balls, std::size_t count) {
             sort_out(next, slot, balls, count, fresh);
             in_ring_ -= count;
         });
@@ -203,7 +203,7 @@ private:
     void fetch_following(NextEvents<Real> const& next) const {
         prefetch(&ring_.block(slot_of(open_ + 2)));
         auto const& block = ring_.block(slot_of(open_ + 1));
-        for (std::int32_t k = 0; k < block.count; ++k)
+        for (std::int32_t k = 0; k < block.count(); ++k)
             prefetch(&next[block.ball[static_cast<std::size_t>(k)]]);
     }
 
@@ -215,7 +215,7 @@ private:
     bool looks_ahead_;
     std::array<Waiting, 8> waiting_; // to be filed
     std::size_t turn_ = 0;
-    ChainedBins<14> ring_; // a block is a cache line
+    ChainedBins<15> ring_; // a block is a cache line
     /// Entries; where a few balls move and the others wait, those that no longer hold must not fill
     /// the memory.
     std::size_t in_ring_ = 0, in_ring_max_;

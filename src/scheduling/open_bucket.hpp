@@ -122,8 +122,13 @@ private:
         if constexpr (has_lanes<Real>) {
             if (count <= static_cast<std::size_t>(lane_count)) return put_few_in_order(events, count);
         }
-        std::stable_sort(events, events + count,
-                         [](Event const& a, Event const& b) { return a.time < b.time; });
+        for (std::size_t k = 1; k < count; ++k) {
+            Event const event = events[k];
+            std::size_t place = k;
+            for (; place > 0 && event.time < events[place - 1].time; --place)
+                events[place] = events[place - 1];
+            events[place] = event;
+        }
     }
     static void put_few_in_order(Event* events, std::size_t count) {
         Event copy[lane_count];

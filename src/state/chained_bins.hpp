@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -17,15 +18,24 @@ namespace clack {
 /// they are until the next `reset`, for a thread that only looks.
 template <std::int32_t places> class ChainedBins {
 public:
+    static_assert(places < 16);
+    static constexpr std::int32_t end_of_chain = -1;
+
+    /// Its balls, and in one number how many there are and where the chain goes on.
     struct Block {
         std::array<std::int32_t, places> ball{};
-        std::int32_t count = 0;
-        std::int32_t more = end_of_chain;
+        std::int32_t tail = 16 * end_of_chain;
+
+        std::int32_t count() const { return tail & 15; }
+        std::int32_t more() const { return tail >> 4; }
+        bool is_last() const { return tail < 0; }
+        void go_on_at(std::int32_t block) { tail = 16 * block + count(); }
+        void add(std::int32_t one) { ball[static_cast<std::size_t>(tail++ & 15)] = one; }
     };
-    static constexpr std::int32_t end_of_chain = -1;
 
     /// So many bins, all empty.
     void reset(std::size_t bins) {
+        if (bins >= blocks_max) throw std::length_error("too many bins");
         reserve_large(blocks_, bins + bins / 64);
         blocks_.assign(bins, Block{});
         free_ = end_of_chain;
@@ -33,47 +43,45 @@ public:
     }
 
     void insert(std::size_t bin, std::int32_t ball) {
-        while (blocks_[bin].count == places) {
-            if (blocks_[bin].more == end_of_chain) {
+        while (blocks_[bin].count() == places) {
+            if (blocks_[bin].is_last()) {
                 std::int32_t const fresh = take_block();
-                blocks_[bin].more = fresh;
+                blocks_[bin].go_on_at(fresh);
             }
-            bin = static_cast<std::size_t>(blocks_[bin].more);
+            bin = static_cast<std::size_t>(blocks_[bin].more());
         }
-        Block& room = blocks_[bin];
-        room.ball[static_cast<std::size_t>(room.count++)] = ball;
+        blocks_[bin].add(ball);
     }
 
     /// The last ball of the chain takes the place that becomes free.
     void remove(std::size_t bin, std::int32_t ball) {
         std::size_t last = bin, before = bin, found = bin;
         std::size_t place = find(blocks_[bin], ball);
-        while (blocks_[last].more != end_of_chain) {
+        while (!blocks_[last].is_last()) {
             before = last;
-            last = static_cast<std::size_t>(blocks_[last].more);
-            if (place == static_cast<std::size_t>(blocks_[found].count)) {
+            last = static_cast<std::size_t>(blocks_[last].more());
+            if (place == static_cast<std::size_t>(blocks_[found].count())) {
                 found = last;
                 place = find(blocks_[last], ball);
             }
         }
-        Block& tail = blocks_[last];
-        blocks_[found].ball[place] = tail.ball[static_cast<std::size_t>(--tail.count)];
-        if (tail.count == 0 && last != before) {
-            blocks_[before].more = end_of_chain;
+        Block& end = blocks_[last];
+        blocks_[found].ball[place] = end.ball[static_cast<std::size_t>(--end.tail & 15)];
+        if (end.count() == 0 && last != before) {
+            blocks_[before].go_on_at(end_of_chain);
             give_back(static_cast<std::int32_t>(last));
         }
     }
 
     /// Empties a bin, block by block, into visit(balls, count). What is visited may be inserted
     /// anew, into this bin too.
-    template <class Visit> void drain_blocks(std::size_t bin, Visit&& visit) {
+    template <class Visit> void drain(std::size_t bin, Visit&& visit) {
         Block block = blocks_[bin];
-        blocks_[bin].count = 0;
-        blocks_[bin].more = end_of_chain;
+        blocks_[bin].tail = 16 * end_of_chain;
         for (;;) {
-            visit(block.ball.data(), static_cast<std::size_t>(block.count));
-            if (block.more == end_of_chain) return;
-            std::int32_t const next = block.more;
+            visit(block.ball.data(), static_cast<std::size_t>(block.count()));
+            if (block.is_last()) return;
+            std::int32_t const next = block.more();
             block = blocks_[static_cast<std::size_t>(next)];
             give_back(next);
         }
@@ -85,7 +93,7 @@ public:
     /// changing.
     template <class Visit> void glance_at(std::size_t bin, Visit&& visit) const {
         Block const& block = blocks_[bin];
-        std::int32_t const count = glance(block.count);
+        std::int32_t const count = glance(block.tail) & 15;
         for (std::int32_t k = 0; k < count; ++k)
             visit(glance(block.ball[static_cast<std::size_t>(k)]));
     }
@@ -96,20 +104,23 @@ public:
     }
 
 private:
+    static constexpr std::size_t blocks_max = std::size_t{1} << 27; // what a tail can name
+
     static std::size_t find(Block const& block, std::int32_t ball) {
         std::size_t place = 0;
-        while (place < static_cast<std::size_t>(block.count) && block.ball[place] != ball) ++place;
+        while (place < static_cast<std::size_t>(block.count()) && block.ball[place] != ball) ++place;
         return place;
     }
 
     std::int32_t take_block() {
         if (free_ != end_of_chain) {
             std::int32_t const block = free_;
-            free_ = blocks_[static_cast<std::size_t>(block)].more;
+            free_ = blocks_[static_cast<std::size_t>(block)].more();
             blocks_[static_cast<std::size_t>(block)] = Block{};
             return block;
         }
         if (blocks_.size() == blocks_.capacity()) grow();
+        if (blocks_.size() >= blocks_max) throw std::length_error("too many balls for their bins");
         blocks_.emplace_back();
         return static_cast<std::int32_t>(blocks_.size() - 1);
     }
@@ -123,7 +134,7 @@ private:
     }
 
     void give_back(std::int32_t block) {
-        blocks_[static_cast<std::size_t>(block)].more = free_;
+        blocks_[static_cast<std::size_t>(block)].go_on_at(free_);
         free_ = block;
     }
 

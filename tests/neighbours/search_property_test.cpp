@@ -176,9 +176,9 @@ BOOST_AUTO_TEST_CASE(balls_stray_no_farther_than_adjacent_cells_are_less_than_ha
 
 /// All balls in one corner of a large box: chains of blocks, wide lists, nothing overflows.
 BOOST_AUTO_TEST_CASE(a_crowded_cell_holds_any_number) {
-    CellBins bins(Boundary::walls, 3, 500);
+    CellBins<3> bins(Boundary::walls, 3, 500);
     std::mt19937_64 random(1);
-    std::vector<CellBins::Cell> where(500);
+    std::vector<Cell> where(500);
     for (int round = 0; round < 4000; ++round) {
         auto const ball = static_cast<std::int32_t>(random() % 500);
         auto& cell = where[static_cast<std::size_t>(ball)];
