@@ -223,8 +223,8 @@ private:
             auto const other = turned<float>([&](int k) { return centre_four(some[k]); });
             Distances const x = apart(other.first - own[0]), y = apart(other.second - own[1]),
                             z = apart(other.third - own[2]);
-            for_each_lane((x * x + y * y + z * z < reach_ * reach_) & (load(some) != ball),
-                          [&](std::size_t lane) { *end++ = some[lane]; });
+            Balls const near = (x * x + y * y + z * z < reach_ * reach_) & (load(some) != ball);
+            end = write_chosen(some, bits_of(near), end);
         }
         near_.grow_to(end);
         near_.template pad<line_balls>(ball);

@@ -4,6 +4,7 @@
 
 #include "state/ball.hpp"
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -125,6 +126,25 @@ template <class Condition, class Visit>
 [[gnu::always_inline]] inline void for_each_lane(Condition holds, Visit&& visit) {
     for (std::uint32_t bits = bits_of(holds); bits != 0; bits &= bits - 1)
         visit(static_cast<std::size_t>(__builtin_ctz(bits)));
+}
+
+/// Writes the balls of those lanes that `bits` names one after the other, and perhaps others behind
+/// them, within as many as there are lanes; returns where they end. Which pass cannot be foretold,
+/// so that a loop over them would be guessed wrongly each time.
+[[gnu::always_inline]] inline std::int32_t* write_chosen(std::int32_t const* balls,
+                                                         std::uint32_t bits, std::int32_t* to) {
+#ifdef __AVX512VL__
+    auto const some = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(balls));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), some));
+    return to + std::popcount(bits);
+#else
+    for (int lane = 0; lane < lane_count; ++lane) {
+        *to = balls[lane];
+        to += bits >> lane & 1;
+    }
+    return to;
+#endif
 }
 
 /// The records of so many balls, turned: one vector a component.
