@@ -262,7 +262,9 @@ private:
         for (std::size_t first = 0; first < list.size(); first += lane_count) {
             Balls const some = load(list.data() + first);
             Balls known = some == ball;
-            for (std::int32_t const other : second) known |= some == other;
+            for (std::size_t k = 0; k < second.size(); k += line_balls)
+                for (std::size_t in_line = 0; in_line < line_balls; ++in_line)
+                    known |= some == second[k + in_line];
             for_each_lane(~known, [&](std::size_t lane) { visit(list[first + lane]); });
         }
     }

@@ -11,7 +11,7 @@
 
 namespace clack {
 
-constexpr std::int32_t no_ball = -1;
+constexpr std::int32_t no_ball = -7; // the numbers from -1 to -6 are the walls' (scheduling)
 
 /// The contact that a search over candidates found; `ball` is no_ball and `time` infinite when
 /// there is none.
@@ -179,15 +179,18 @@ public:
     /// Contacts that are not before `limit` are left out.
     [[gnu::always_inline]] Contact<Real> earliest(Real limit) const {
         Real const time = folded(best_, [](V const& a, V const& b) { return a < b ? a : b; });
-        if (!(time < limit)) return {};
         V const earliest = broadcast(time);
         std::uint64_t here = 0;
         for (std::size_t first = 0; first < size(); first += lane_count)
             here |= std::uint64_t{bits_of_equal(times_[first / lane_count], earliest)} << first;
+        // A choice, not a branch: whether there is a contact cannot be foretold.
+        bool const found = time < limit;
+        here = found ? here : 1;
         // Ties are for lattices: then the numbers decide, one by one.
         if ((here & (here - 1)) != 0)
             return earliest_one_by_one(scenery_, ball_, candidates_, now_);
-        return {time, candidates_[static_cast<std::size_t>(__builtin_ctzll(here))]};
+        std::int32_t const other = candidates_[static_cast<std::size_t>(__builtin_ctzll(here))];
+        return {found ? time : infinity<Real>, found ? other : no_ball};
     }
 
 private:

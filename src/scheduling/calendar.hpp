@@ -167,26 +167,27 @@ private:
             file_waiting(slot);
         }
         if (ring_.block(slot).count() == 0) return;
-        std::size_t fresh = 0;
-        again_.clear();
+        std::size_t fresh = 0, again = 0;
         ring_.drain(slot, [&](std::int32_t const* balls, std::size_t count) {
-            sort_out(next, slot, balls, count, fresh);
+            sort_out(next, slot, balls, count, fresh, again);
             in_ring_ -= count;
         });
         bucket_.append(next, fresh);
-        for (std::int32_t const ball : again_) insert(slot, ball);
+        for (std::size_t k = 0; k < again; ++k) insert(slot, again_[k]);
     }
 
     /// Choices without branches: which entries still hold cannot be foretold.
     void sort_out(NextEvents<Real> const& next, std::size_t slot, std::int32_t const* balls,
-                  std::size_t count, std::size_t& fresh) {
+                  std::size_t count, std::size_t& fresh, std::size_t& again) {
+        if (again_.size() < again + count) again_.resize(2 * (again + count));
         auto* const events = bucket_.room(fresh, count);
         for (std::size_t k = 0; k < count; ++k) {
             Real const time = next[balls[k]].time();
             std::int64_t const bucket = bucket_at(time);
             events[fresh] = {time, balls[k]};
             fresh += bucket == open_;
-            if (bucket > open_ && slot_of(bucket) == slot) again_.push_back(balls[k]);
+            again_[again] = balls[k];
+            again += static_cast<std::size_t>(bucket > open_) & (slot_of(bucket) == slot);
         }
     }
 

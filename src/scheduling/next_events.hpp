@@ -1,6 +1,7 @@
 #pragma once
 // The report's array of next collisions, and the total order that every queue keeps.
 
+#include "prediction/earliest.hpp"
 #include "state/huge_pages.hpp"
 #include "state/real.hpp"
 
@@ -16,7 +17,7 @@ namespace clack {
 using Partner = std::int32_t;
 constexpr Partner wall_partner(std::int32_t wall) { return -1 - wall; } // 0..5 -> -1..-6
 constexpr std::int32_t wall_of(Partner partner) { return -1 - partner; }
-constexpr Partner nobody = -7;
+constexpr Partner nobody = no_ball;
 
 /// A ball's next collision, and when the candidates it was found among expire.
 template <class Real> struct NextEvent {
@@ -63,7 +64,7 @@ public:
     bool mutual(std::int32_t ball) const {
         NextEvent<Real> const& mine = (*this)[ball];
         NextEvent<Real> const& theirs = (*this)[mine.partner];
-        return theirs.partner == ball && theirs.contact == mine.contact;
+        return (theirs.partner == ball) & (theirs.contact == mine.contact);
     }
 
     /// The order of simultaneous events: kind, then permanent numbers.

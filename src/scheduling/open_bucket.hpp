@@ -5,6 +5,7 @@
 #include "scheduling/event_queue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <vector>
@@ -91,6 +92,7 @@ public:
 
 private:
     static constexpr std::size_t row_max = 64;
+    static constexpr std::size_t in_lanes_max = 32;
 
     struct Ranked : Event {
         typename NextEvents<Real>::Rank rank;
@@ -120,27 +122,32 @@ private:
     /// Each goes behind those that are earlier, and of equal ones behind those that were before it.
     static void put_in_order(Event* events, std::size_t count) {
         if constexpr (has_lanes<Real>) {
-            if (count <= static_cast<std::size_t>(lane_count)) return put_few_in_order(events, count);
+            if (count <= in_lanes_max) return put_in_order_by_rank(events, count);
         }
-        for (std::size_t k = 1; k < count; ++k) {
-            Event const event = events[k];
-            std::size_t place = k;
-            for (; place > 0 && event.time < events[place - 1].time; --place)
-                events[place] = events[place - 1];
-            events[place] = event;
-        }
+        std::stable_sort(events, events + count,
+                         [](Event const& a, Event const& b) { return a.time < b.time; });
     }
-    static void put_few_in_order(Event* events, std::size_t count) {
-        Event copy[lane_count];
-        Lanes<Real> times = broadcast(infinity<Real>);
+
+    /// How many are earlier is counted many at a time, without a branch: the steps of a sort cannot
+    /// be foretold.
+    static void put_in_order_by_rank(Event* events, std::size_t count) {
+        constexpr std::size_t wide = lane_count;
+        std::array<Event, in_lanes_max> copy;
+        std::array<Lanes<Real>, in_lanes_max / wide> times;
+        std::size_t const rows = (count + wide - 1) / wide;
+        for (std::size_t k = 0; k < rows; ++k) times[k] = broadcast(infinity<Real>);
         for (std::size_t k = 0; k < count; ++k) {
             copy[k] = events[k];
-            times[k] = events[k].time;
+            times[k / wide][k % wide] = events[k].time;
         }
         for (std::size_t k = 0; k < count; ++k) {
             Lanes<Real> const own = broadcast(copy[k].time);
-            std::uint32_t const before =
-                bits_of_less(times, own) | (bits_of_equal(times, own) & ((1u << k) - 1));
+            std::uint64_t before = 0, equal = 0;
+            for (std::size_t row = 0; row < rows; ++row) {
+                before |= std::uint64_t{bits_of_less(times[row], own)} << (row * wide);
+                equal |= std::uint64_t{bits_of_equal(times[row], own)} << (row * wide);
+            }
+            before |= equal & ((std::uint64_t{1} << k) - 1);
             events[std::popcount(before)] = copy[k];
         }
     }

@@ -228,8 +228,7 @@ private:
             ball, earliest_contact(scenery(), ball, search_.candidates(ball), clock_.offset));
     }
     NextEvent<Real> next_event(std::int32_t ball, Contact<Real> const& found) {
-        NextEvent<Real> event;
-        if (found.ball != no_ball) event = {found.time, infinity<Real>, found.ball};
+        NextEvent<Real> event{found.time, infinity<Real>, found.ball};
         if constexpr (!periodic) {
             WallContact<Real> const wall = model_.wall_contact(state_[ball], state_.cube);
             if (wall.time < event.contact) {
@@ -305,7 +304,8 @@ private:
     void drop_contact(std::int32_t ball) {
         if constexpr (Queue<Real>::entries == Entries::one_an_event) {
             std::int32_t const other = next_[ball].partner;
-            if (other >= 0 && !next_[other].filed && next_.mutual(ball)) file(other);
+            if (other >= 0 && static_cast<bool>(!next_[other].filed & next_.mutual(ball)))
+                file(other);
         }
     }
 
