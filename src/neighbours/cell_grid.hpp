@@ -121,10 +121,11 @@ public:
         Numbers wait = distance / v;
         wait = wait > 0.0 ? wait : Numbers{};
         wait = never ? Numbers{inf, inf, inf, inf} : wait;
-        std::int32_t axis = wait[1] < wait[0] ? 1 : 0;
-        double first = wait[1] < wait[0] ? wait[1] : wait[0];
-        axis = wait[2] < first ? 2 : axis;
-        first = wait[2] < first ? wait[2] : first;
+        std::int32_t const y_first = wait[1] < wait[0];
+        double const in_xy = std::min(wait[0], wait[1]);
+        std::int32_t const z_first = wait[2] < in_xy;
+        double const first = std::min(in_xy, wait[2]);
+        std::int32_t const axis = 2 * z_first + (y_first & (1 - z_first)); // a sum is no branch
         bins_.note(ball, axis);
         return now + static_cast<Real>(first);
     }

@@ -13,8 +13,8 @@ namespace clack {
 
 constexpr std::int32_t no_ball = -7; // the numbers from -1 to -6 are the walls' (scheduling)
 
-/// The contact that a search over candidates found; `ball` is no_ball and `time` infinite when
-/// there is none.
+/// The contact that a search over candidates found; `ball` is no_ball when there is none, and
+/// `time` then infinite or beyond the limit of the search.
 template <class Real> struct Contact {
     Real time = infinity<Real>;
     std::int32_t ball = no_ball;
@@ -183,14 +183,15 @@ public:
         std::uint64_t here = 0;
         for (std::size_t first = 0; first < size(); first += lane_count)
             here |= std::uint64_t{bits_of_equal(times_[first / lane_count], earliest)} << first;
-        // A choice, not a branch: whether there is a contact cannot be foretold.
+        // Sums, not branches: whether there is a contact cannot be foretold.
         bool const found = time < limit;
-        here = found ? here : 1;
+        here = (here & (0 - std::uint64_t{found})) | std::uint64_t{!found};
         // Ties are for lattices: then the numbers decide, one by one.
         if ((here & (here - 1)) != 0)
             return earliest_one_by_one(scenery_, ball_, candidates_, now_);
         std::int32_t const other = candidates_[static_cast<std::size_t>(__builtin_ctzll(here))];
-        return {found ? time : infinity<Real>, found ? other : no_ball};
+        std::int32_t const all = -std::int32_t{found};
+        return {time, (other & all) | (no_ball & ~all)};
     }
 
 private:

@@ -215,8 +215,8 @@ private:
             next_[ball].contact = found.time;
             next_[ball].partner = found.ball;
         }
-        file(ball);
         // Only news is told: the partner may have changed course since the old contact was found.
+        if (first || !partner_is_filed(ball)) file(ball);
         if (first) tell_partner(ball);
     }
 
@@ -297,6 +297,20 @@ private:
             note(partner, contact);
             next_[partner].filed = next_[partner].expiry <= contact;
         }
+    }
+
+    /// Whether the next event of a ball stands in the queue already, for its partner.
+    bool partner_is_filed(std::int32_t ball) {
+        if constexpr (Queue<Real>::entries == Entries::one_an_event) {
+            NextEvent<Real>& event = next_[ball];
+            if (event.partner < 0 || event.expiry <= event.contact) return false;
+            NextEvent<Real> const& theirs = next_[event.partner];
+            bool const covered = static_cast<bool>(theirs.filed & (theirs.contact < theirs.expiry) &
+                                                   next_.mutual(ball));
+            event.filed = !covered;
+            return covered;
+        }
+        return false;
     }
 
     /// A ball will no longer touch what it was going to. If that is a ball whose time stood in the

@@ -106,10 +106,16 @@ public:
 private:
     static constexpr std::size_t blocks_max = std::size_t{1} << 27; // what a tail can name
 
+    /// The ball's place, or how many there are. It looks at all: where it will be found cannot be
+    /// foretold.
     static std::size_t find(Block const& block, std::int32_t ball) {
-        std::size_t place = 0;
-        while (place < static_cast<std::size_t>(block.count()) && block.ball[place] != ball) ++place;
-        return place;
+        auto const count = static_cast<std::size_t>(block.count());
+        std::size_t found = count;
+        for (std::size_t place = 0; place < places; ++place) {
+            bool const here = (block.ball[place] == ball) & (place < count);
+            found = here ? place : found;
+        }
+        return found;
     }
 
     std::int32_t take_block() {
