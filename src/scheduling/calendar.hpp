@@ -180,11 +180,12 @@ private:
     void sort_out(NextEvents<Real> const& next, std::size_t slot, std::int32_t const* balls,
                   std::size_t count, std::size_t& fresh, std::size_t& again) {
         if (again_.size() < again + count) again_.resize(2 * (again + count));
-        auto* const events = bucket_.room(fresh, count);
+        auto const room = bucket_.room(fresh, count);
         for (std::size_t k = 0; k < count; ++k) {
             Real const time = next[balls[k]].time();
             std::int64_t const bucket = bucket_at(time);
-            events[fresh] = {time, balls[k]};
+            room.times[fresh] = time;
+            room.balls[fresh] = balls[k];
             fresh += bucket == open_;
             again_[again] = balls[k];
             again += static_cast<std::size_t>(bucket > open_) & (slot_of(bucket) == slot);
