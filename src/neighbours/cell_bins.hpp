@@ -131,6 +131,19 @@ public:
         for_each_beyond(cell, axis, direction, [&](std::size_t bin) { fetch_bin(bin); });
     }
 
+    /// And what the candidates' entries in an array are: of each cell the first two, without a
+    /// branch. Where there are fewer it is the ball's own.
+    template <class Item>
+    void fetch_items_around(Cell const& cell, Item const* items, std::int32_t own) const {
+        for_each_around(cell, [&](std::size_t bin) { fetch_items(bin, items, own); });
+    }
+    template <class Item>
+    void fetch_items_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
+                            Item const* items, std::int32_t own) const {
+        for_each_beyond(cell, axis, direction,
+                        [&](std::size_t bin) { fetch_items(bin, items, own); });
+    }
+
     /// For a thread that only looks at what another may be changing: the cell of a ball, and what
     /// the two above would append, as far as it is in the cells' first blocks, to visit(ball).
     Cell glance_at(std::int32_t ball) const {
@@ -161,6 +174,12 @@ private:
     using Whole [[gnu::vector_size(sizeof(Block))]] = std::int32_t;
 
     void fetch_bin(std::size_t bin) const { prefetch(&cells_.block(bin)); }
+    template <class Item>
+    void fetch_items(std::size_t bin, Item const* items, std::int32_t own) const {
+        Block const& block = cells_.block(bin);
+        prefetch(items + (block.count() > 0 ? block.ball[0] : own));
+        prefetch(items + (block.count() > 1 ? block.ball[1] : own));
+    }
 
     /// Calls visit(bin) for a cell and the 26 around it.
     template <class Visit>

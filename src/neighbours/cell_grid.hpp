@@ -170,6 +170,16 @@ public:
         bins_.fetch_beyond(crossing.to, crossing.axis, crossing.direction);
     }
 
+    /// And the records of the balls that those two will find.
+    void fetch_records(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+        bins_.fetch_items_around(bins_.cell_of(ball), balls.data(), ball);
+    }
+    void fetch_fresh_records(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+        Crossing const crossing = crossing_of(balls, ball);
+        bins_.fetch_items_beyond(crossing.to, crossing.axis, crossing.direction, balls.data(),
+                                 ball);
+    }
+
     /// The balls that `candidates` and `refresh` would find, for a thread that only looks.
     template <class Visit>
     void glance_at_candidates(std::vector<Ball<Real>> const&, std::int32_t ball,
