@@ -1,7 +1,6 @@
 #include "simulation/model_choice.hpp"
 
 #include "neighbours/neighbour_list.hpp"
-#include "scheduling/calendar.hpp"
 #include "state/container.hpp"
 
 #include <algorithm>
@@ -20,15 +19,10 @@ std::int64_t table_max(System const& system) {
     return system.boundary == Boundary::walls ? 10 : 16;
 }
 
-/// Dense enough for lists to cost less than cells: the more balls, the later, since lists are
-/// longer to read than cells where memory is far, until the calendar asks for them in time.
+/// Dense enough for lists to cost less than cells, among 500 to 32 000 balls alike.
 bool lists_pay(System const& system) {
     using List = NeighbourList<double, PeriodicCube<double>>;
-    constexpr auto foresight_from = static_cast<std::int64_t>(Calendar<double>::foresight_from);
-    double const least = system.count < foresight_from
-                             ? 0.27 + 0.035 * std::log10(static_cast<double>(system.count))
-                             : 0.37;
-    return system.packing_fraction() >= least && List::fits(system);
+    return system.packing_fraction() >= 0.345 && List::fits(system);
 }
 
 /// Up to so many balls it costs less to look at all of them than to keep an index. A ball between
