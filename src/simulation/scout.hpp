@@ -153,12 +153,10 @@ private:
         });
     }
 
-    /// visit(ball, expires) for the balls that will look for new contacts: both of a collision,
-    /// which is filed twice, once.
+    /// visit(ball, expires) for the balls that will look for new contacts: both of a collision.
     template <class Visit> void for_each_task(std::int64_t bucket, Visit&& visit) const {
         for_each_event(bucket, [&](std::int32_t ball, std::int32_t partner, bool expires) {
             if (expires || partner < 0) return visit(ball, expires);
-            if (partner < ball && glance(next_[partner].partner) == ball) return;
             visit(ball, false);
             visit(partner, false);
         });

@@ -5,7 +5,7 @@
 #include "prediction/earliest.hpp"
 #include "resolution/collision.hpp"
 #include "resolution/elastic_balls.hpp"
-#include "scheduling/event_queue.hpp"
+#include "scheduling/agenda.hpp"
 #include "simulation/engine.hpp"
 #include "simulation/laws.hpp"
 #include "simulation/look_ahead.hpp"
@@ -36,8 +36,8 @@ public:
     explicit Simulation(BallState<Real, Container<Real>>&& state)
         : Simulation(std::move(state), Model<Real>(state.system)) {}
     Simulation(BallState<Real, Container<Real>>&& state, Model<Real> model)
-        : state_(std::move(state)), model_(std::move(model)), next_(state_.numbers),
-          search_(model_.as_searched(state_.system), state_.cube), queue_(next_.size()),
+        : state_(std::move(state)), model_(std::move(model)), agenda_(state_.numbers),
+          search_(model_.as_searched(state_.system), state_.cube),
           laws_(state_.system, state_.clock.length),
           several_images_(touches_through_several_images(state_.system)) {
         rebuild();
@@ -53,8 +53,8 @@ public:
         for (std::uint64_t events = 0;; ++events) {
             if (tallies_.ball_collisions >= goal.ball_collisions) return Stop::collisions;
             if (events == goal.events) return Stop::events;
-            std::int32_t const ball = queue_.earliest(next_);
-            Real const time = ball == no_event ? infinity<Real> : next_[ball].time();
+            std::int32_t const ball = agenda_.earliest();
+            Real const time = ball == no_event ? infinity<Real> : agenda_[ball].time();
             if (clock_.epoch > until.epoch) return Stop::time;
             if (clock_.epoch == until.epoch && time > until.offset) {
                 clock_.offset = later(clock_.offset, until.offset);
@@ -66,7 +66,7 @@ public:
                 continue;
             }
             if constexpr (can_look_ahead) {
-                if (queue_.looks_ahead()) LookAhead::look(state_, next_, search_, queue_);
+                if (agenda_.queue().looks_ahead()) LookAhead::look(state_, agenda_, search_, agenda_.queue());
             }
             if (scout_) scout_->event_comes();
             laws_.time_goes_on(clock_, time);
@@ -78,7 +78,7 @@ public:
     /// From now on a second thread reads ahead, where that is possible.
     void read_ahead() {
         if constexpr (Lookout::possible) {
-            if (!scout_) scout_ = std::make_unique<Lookout>(state_, next_, search_, queue_);
+            if (!scout_) scout_ = std::make_unique<Lookout>(state_, agenda_, search_, agenda_.queue());
         }
     }
     int threads() const { return scout_ ? 2 : 1; }
@@ -94,7 +94,7 @@ public:
     BallState<Real, Container<Real>> const& state() const { return state_; }
 
     std::size_t bytes() const {
-        return state_.bytes() + next_.bytes() + search_.bytes() + queue_.bytes();
+        return state_.bytes() + agenda_.bytes() + search_.bytes();
     }
 
 private:
@@ -113,25 +113,25 @@ private:
     // --- one event
 
     template <class Observer> void take(std::int32_t ball, Observer& observe) {
-        switch (next_.kind(ball)) {
+        switch (agenda_.kind(ball)) {
         case EventKind::expiry:
             refresh(ball);
             if constexpr (requires { search_.wants_rebuild(); })
                 if (search_.wants_rebuild()) alone([&] { rebuild(); });
             break;
         case EventKind::wall:
-            bounce(ball, wall_of(next_[ball].partner), observe);
+            bounce(ball, wall_of(agenda_[ball].partner), observe);
             break;
         case EventKind::ball:
             // A partner that has changed course since does not agree: look again.
-            next_.mutual(ball) ? collide(ball, next_[ball].partner, observe) : predict(ball);
+            agenda_.mutual(ball) ? collide(ball, agenda_[ball].partner, observe) : predict(ball);
         }
     }
 
     template <class Observer> void collide(std::int32_t i, std::int32_t j, Observer& observe) {
         // Which is called i makes no difference but to who is told.
         if constexpr (!std::is_same_v<Observer, NoObserver>) {
-            if (next_.number(j) < next_.number(i)) std::swap(i, j);
+            if (agenda_.number(j) < agenda_.number(i)) std::swap(i, j);
         }
         state_.fly_to(i, clock_.offset);
         state_.fly_to(j, clock_.offset);
@@ -140,7 +140,7 @@ private:
         Real const distance2 = dot<Real>(separation, separation);
         Real const diameter2 = model_.diameter_squared(pair, clock_.offset);
         if (!laws_.near_contact(distance2, diameter2)) {
-            laws_.in_contact(distance2, diameter2, pair, clock_, next_.number(i), next_.number(j),
+            laws_.in_contact(distance2, diameter2, pair, clock_, agenda_.number(i), agenda_.number(j),
                              tallies_);
         }
 
@@ -151,7 +151,7 @@ private:
         double const overlap = static_cast<double>((diameter2 - distance2) / (2 * diameter2));
         if (overlap > tallies_.deepest_overlap) tallies_.deepest_overlap = overlap;
         if constexpr (!std::is_same_v<Observer, NoObserver>) {
-            observe(collision(CollisionKind::ball, i, next_.number(j), state_[j].velocity,
+            observe(collision(CollisionKind::ball, i, agenda_.number(j), state_[j].velocity,
                               separation, impulse));
         }
         search_.settle(state_.balls, i);
@@ -206,18 +206,15 @@ private:
     void refresh(std::int32_t ball) {
         auto const fresh = search_.refresh(state_.balls, ball, clock_.offset);
         Contact<Real> const found =
-            earliest_contact(scenery(), ball, fresh, clock_.offset, next_[ball].contact);
-        next_[ball].expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
+            earliest_contact(scenery(), ball, fresh, clock_.offset, agenda_[ball].contact);
+        agenda_[ball].expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
         bool const first =
-            found.ball != no_ball && next_.contact_precedes(found.time, ball, found.ball);
-        if (first) {
-            drop_contact(ball);
-            next_[ball].contact = found.time;
-            next_[ball].partner = found.ball;
-        }
+            found.ball != no_ball && agenda_.contact_precedes(found.time, ball, found.ball);
         // Only news is told: the partner may have changed course since the old contact was found.
-        if (first || !partner_is_filed(ball)) file(ball);
-        if (first) tell_partner(ball);
+        if (!first) return agenda_.file_expiry(ball);
+        agenda_.set_contact(ball, found.time, found.ball);
+        file(ball);
+        tell_partner(ball);
     }
 
     // --- prediction
@@ -241,7 +238,7 @@ private:
     }
 
     void predict(std::int32_t ball) {
-        next_[ball] = next_event(ball);
+        agenda_[ball] = next_event(ball);
         file(ball);
         tell_partner(ball);
     }
@@ -250,10 +247,10 @@ private:
     void predict_both(std::int32_t i, std::int32_t j) {
         auto const [found_i, found_j] = contacts_of_both(i, j);
         for (std::int32_t const ball : {found_i.ball, found_j.ball}) // they will be told
-            prefetch(&next_[std::max(ball, 0)]);
-        next_[i] = next_event(i, found_i);
+            prefetch(&agenda_[std::max(ball, 0)]);
+        agenda_[i] = next_event(i, found_i);
         file(i); // a queue hears of one change at a time
-        next_[j] = next_event(j, found_j);
+        agenda_[j] = next_event(j, found_j);
         file(j);
         tell_partner(i);
         tell_partner(j);
@@ -273,9 +270,11 @@ private:
 
     /// Tells the queue, and the predictions of other balls, of a ball's next event.
     void file(std::int32_t ball) {
-        note(ball, next_[ball].contact);
-        next_[ball].filed = true;
-        queue_.update(next_, ball);
+        note(ball, agenda_[ball].contact);
+        agenda_.file(ball);
+    }
+    void tell_partner(std::int32_t ball) {
+        if (agenda_.tell_partner(ball)) note(agenda_[ball].partner, agenda_[ball].contact);
     }
 
     /// For the predictions of other balls: when this one will touch something, as far as is known.
@@ -283,51 +282,11 @@ private:
         if constexpr (heeds_notes<Model<Real>>) state_[ball].note = contact;
     }
 
-    /// The ball that this one is now going to hit takes note if that comes before its own plans.
-    void tell_partner(std::int32_t ball) {
-        Real const contact = next_[ball].contact;
-        std::int32_t const partner = next_[ball].partner;
-        if (partner < 0 || !next_.contact_precedes(contact, partner, ball)) return;
-        drop_contact(partner);
-        next_[partner].contact = contact;
-        next_[partner].partner = ball;
-        if constexpr (Queue<Real>::entries == Entries::one_a_ball) {
-            file(partner);
-        } else {
-            note(partner, contact);
-            next_[partner].filed = next_[partner].expiry <= contact;
-        }
-    }
-
-    /// Whether the next event of a ball stands in the queue already, for its partner.
-    bool partner_is_filed(std::int32_t ball) {
-        if constexpr (Queue<Real>::entries == Entries::one_an_event) {
-            NextEvent<Real>& event = next_[ball];
-            if (event.partner < 0 || event.expiry <= event.contact) return false;
-            NextEvent<Real> const& theirs = next_[event.partner];
-            bool const covered = static_cast<bool>(theirs.filed & (theirs.contact < theirs.expiry) &
-                                                   next_.mutual(ball));
-            event.filed = !covered;
-            return covered;
-        }
-        return false;
-    }
-
-    /// A ball will no longer touch what it was going to. If that is a ball whose time stood in the
-    /// queue for both, it now needs a place of its own.
-    void drop_contact(std::int32_t ball) {
-        if constexpr (Queue<Real>::entries == Entries::one_an_event) {
-            std::int32_t const other = next_[ball].partner;
-            if (other >= 0 && static_cast<bool>(!next_[other].filed & next_.mutual(ball)))
-                file(other);
-        }
-    }
-
     /// The report's second update: balls that were going to hit one of the two look again.
     void sweep(std::int32_t i, std::int32_t j) {
         for (std::int32_t ball = 0; ball < state_.count(); ++ball) {
-            Partner const partner = next_[ball].partner;
-            if ((partner == i || partner == j) && ball != i && ball != j && !next_.mutual(ball))
+            Partner const partner = agenda_[ball].partner;
+            if ((partner == i || partner == j) && ball != i && ball != j && !agenda_.mutual(ball))
                 predict(ball);
         }
     }
@@ -350,10 +309,10 @@ private:
         search_.rebuild(state_.balls, clock_.offset);
         for (std::int32_t ball = 0; ball < state_.count(); ++ball) note(ball, infinity<Real>);
         for (std::int32_t ball = 0; ball < state_.count(); ++ball) {
-            next_[ball] = next_event(ball);
-            note(ball, next_[ball].contact);
+            agenda_[ball] = next_event(ball);
+            note(ball, agenda_[ball].contact);
         }
-        queue_.rebuild(next_, clock_.offset);
+        agenda_.rebuild(clock_.offset);
     }
 
     /// While nobody looks on.
@@ -370,7 +329,7 @@ private:
                 clock_.epoch,
                 clock_.offset,
                 clock_.time(),
-                next_.number(first),
+                agenda_.number(first),
                 second,
                 state_[first].velocity,
                 velocity_second,
@@ -383,9 +342,8 @@ private:
     Clock<Real>& clock_ = state_.clock;
     Tallies& tallies_ = state_.tallies;
     Model<Real> model_;
-    NextEvents<Real> next_;
+    Agenda<Real, Queue<Real>> agenda_;
     Search<Real, Container<Real>> search_;
-    Queue<Real> queue_;
     Laws<Real> laws_;
     bool several_images_;
     std::unique_ptr<Lookout> scout_; // the last one: it reads the others
