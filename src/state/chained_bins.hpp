@@ -112,8 +112,8 @@ private:
         auto const count = static_cast<std::size_t>(block.count());
         std::size_t found = count;
         for (std::size_t place = 0; place < places; ++place) {
-            bool const here = (block.ball[place] == ball) & (place < count);
-            found = here ? place : found;
+            std::size_t const here = (block.ball[place] == ball) & (place < count);
+            found ^= (found ^ place) & (0 - here);
         }
         return found;
     }
