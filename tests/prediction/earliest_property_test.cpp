@@ -16,7 +16,7 @@ namespace {
 /// A crowd about ball 0: from touching to far, from slow to fast, one in four on a
 /// course that grazes it. Scales of length and time are powers of two, from tiny to huge.
 template <template <class> class Container> struct Crowd {
-    static constexpr std::size_t count = 48;
+    static constexpr std::size_t count = 80; // more than one mask names
     double length, epoch;
     System system;
     Container<double> cube;
@@ -95,7 +95,38 @@ template <template <class> class Container> void search_finds_the_same(unsigned 
     BOOST_TEST(found_some > 4000);
 }
 
+/// Two balls that have just been written, with lists of unequal length, as alone.
+template <template <class> class Container> void both_find_the_same(unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::vector<std::int32_t> all(Crowd<Container>::count);
+    std::iota(all.begin(), all.end(), 0);
+    std::span<std::int32_t const> const candidates(all);
+    int found_some = 0;
+    for (int k = 0; k < 4000; ++k) {
+        Crowd<Container> const crowd(random);
+        auto const scenery = crowd.scenery();
+        for (auto const& [of_first, of_second] :
+             {std::pair{16, 16}, {40, 16}, {8, 64}, {80, 24}, {24, 80}}) {
+            auto const around_first = candidates.first(static_cast<std::size_t>(of_first));
+            auto const around_second = candidates.last(static_cast<std::size_t>(of_second));
+            auto const [first, second] =
+                earliest_contacts(scenery, 0, around_first, 3, around_second, crowd.now);
+            auto const alone = earliest_one_by_one(scenery, 0, around_first, crowd.now);
+            auto const also_alone = earliest_one_by_one(scenery, 3, around_second, crowd.now);
+            BOOST_TEST_REQUIRE((first.ball == alone.ball && first.time == alone.time));
+            BOOST_TEST_REQUIRE((second.ball == also_alone.ball && second.time == also_alone.time));
+            found_some += (first.ball != no_ball) + (second.ball != no_ball);
+        }
+    }
+    BOOST_TEST(found_some > 4000);
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(two_balls_side_by_side_find_what_each_finds_alone) {
+    both_find_the_same<WalledCube>(5);
+    both_find_the_same<PeriodicCube>(6);
+}
 
 BOOST_AUTO_TEST_CASE(many_at_a_time_find_what_looking_at_each_finds) {
     search_finds_the_same<WalledCube>(3);

@@ -115,3 +115,31 @@ BOOST_AUTO_TEST_CASE(order_is_time_then_kind_then_permanent_numbers) {
     next[2].contact = 0.5;
     BOOST_TEST(next.precedes(2, 3)); // time before all
 }
+
+// What lies many revolutions of a calendar ahead comes in its turn, though nobody files it again.
+BOOST_AUTO_TEST_CASE_TEMPLATE(an_event_far_ahead_is_not_forgotten, Queue, Queues) {
+    using Real = typename RealOf<Queue>::type;
+    constexpr std::int32_t count = 64;
+    std::mt19937_64 random(5);
+    auto const numbers = shuffled(count, random);
+    NextEvents<Real> next(numbers);
+    auto const soon = [&](Real now) {
+        return now + static_cast<Real>(made_up::uniform(random, 0.5, 1.5));
+    };
+    for (std::int32_t ball = 0; ball < count; ++ball) next[ball].expiry = soon(0);
+    for (std::int32_t const ball : {3, 17, 40}) next[ball].expiry = static_cast<Real>(ball);
+    Queue queue(static_cast<std::size_t>(count));
+    queue.rebuild(next, 0);
+    std::vector<std::int32_t> late;
+    for (Real now = 0; late.size() < 3;) {
+        std::int32_t const first = queue.earliest(next);
+        BOOST_TEST_REQUIRE(first != no_event);
+        BOOST_TEST_REQUIRE(now <= next[first].time());
+        now = next[first].time();
+        BOOST_TEST_REQUIRE(now <= 40);
+        if (now == static_cast<Real>(first)) late.push_back(first); // 3, 17 or 40
+        next[first].expiry = soon(now);
+        queue.update(next, first);
+    }
+    BOOST_TEST((late == std::vector<std::int32_t>{3, 17, 40}));
+}
