@@ -28,15 +28,16 @@ void curve(std::vector<float> const& values, float top, ImVec2 origin, ImVec2 si
 }
 
 void draw_histogram(SpeedHistogram const& speeds, float chart_height) {
-    if (speeds.maxwell.empty()) {
+    if (speeds.measured.empty()) {
         text("no ball moves");
         return;
     }
     ImVec2 const size(ImGui::GetContentRegionAvail().x, chart_height),
         origin = ImGui::GetCursorScreenPos();
     auto* const list = ImGui::GetWindowDrawList();
-    auto const highest = *std::max_element(speeds.maxwell.begin(), speeds.maxwell.end());
-    float const top = 1.6f * highest;
+    bool const has_law = !speeds.maxwell.empty();
+    auto const& highest = has_law ? speeds.maxwell : speeds.measured;
+    float const top = (has_law ? 1.6f : 1.1f) * *std::max_element(highest.begin(), highest.end());
     auto const classes = static_cast<float>(speeds.measured.size());
     for (std::size_t k = 0; k < speeds.measured.size(); ++k) {
         float const left = origin.x + size.x * static_cast<float>(k) / classes;
@@ -44,19 +45,35 @@ void draw_histogram(SpeedHistogram const& speeds, float chart_height) {
         list->AddRectFilled({left + 1, origin.y + size.y - height},
                             {left + size.x / classes, origin.y + size.y}, bar_colour);
     }
-    curve(speeds.maxwell, top, origin, size, maxwell_colour, 3);
+    if (has_law) curve(speeds.maxwell, top, origin, size, maxwell_colour, 3);
     if (!speeds.exact.empty()) curve(speeds.exact, top, origin, size, exact_colour, 1.3f);
     list->AddLine({origin.x, origin.y + size.y}, {origin.x + size.x, origin.y + size.y},
                   axis_colour);
     ImGui::Dummy(size);
-    scale_ends("speed", speeds.top);
+    auto const end = fmt::format("{:.3g}", speeds.top);
+    scale_ends("speed", speeds.beyond > 0 ? fmt::format("{}, {} beyond", end, speeds.beyond) : end);
     if (!speeds.exact.empty()) {
         ImGui::TextColored({1, 1, 1, 1}, "exact law");
         ImGui::SameLine();
     }
-    ImGui::TextColored({0.9f, 0.62f, 0, 1}, "Maxwell-Boltzmann");
-    ImGui::SameLine();
+    if (has_law) {
+        ImGui::TextColored({0.9f, 0.62f, 0, 1}, "Maxwell-Boltzmann");
+        ImGui::SameLine();
+    }
     ImGui::TextColored({0.34f, 0.71f, 0.91f, 1}, "balls now");
+}
+
+/// Whether the speeds are what they should be, or why nothing says how they should be.
+void draw_judgement(Physics const& physics) {
+    if (!physics.without_law.empty()) {
+        ImGui::TextWrapped("%s", physics.without_law.c_str());
+    } else if (physics.speed_test) {
+        text(fmt::format("chi-square {:.1f} of {} d.o.f., p = {:.2g}",
+                         physics.speed_test->chi_square, physics.speed_test->degrees_of_freedom,
+                         physics.speed_test->p_value));
+    } else {
+        text("chi-square: too few balls");
+    }
 }
 
 } // namespace
@@ -79,18 +96,17 @@ void scale_ends(std::string const& name, std::string const& top) {
 void draw_physics(Shown const& shown, float chart_height) {
     Physics const& physics = shown.physics;
     draw_histogram(physics.speeds, chart_height);
-    if (physics.speed_test) {
-        text(fmt::format("chi-square {:.1f} of {} d.o.f., p = {:.2g}",
-                         physics.speed_test->chi_square, physics.speed_test->degrees_of_freedom,
-                         physics.speed_test->p_value));
-    } else {
-        text("chi-square: too few balls");
+    draw_judgement(physics);
+    ImGui::Separator();
+    bool const is_gas = physics.directions == 3;
+    if (is_gas) {
+        draw_pressure(physics, shown.frame.system.boundary, chart_height);
+        ImGui::Separator();
     }
-    ImGui::Separator();
-    draw_pressure(physics, shown.frame.system.boundary, chart_height);
-    ImGui::Separator();
-    auto const& tallies = shown.frame.sample.tallies;
-    text(fmt::format("kT {:.6g}, energy drift {:.2g}", physics.temperature, physics.energy_drift));
+    auto const& sample = shown.frame.sample;
+    auto const& tallies = sample.tallies;
+    text(fmt::format("{} {:.6g}, energy drift {:.2g}", is_gas ? "kT" : "kinetic energy",
+                     is_gas ? physics.temperature : sample.kinetic_energy, physics.energy_drift));
     text(fmt::format("deepest overlap {:.2g} diameters", tallies.deepest_overlap));
     text(fmt::format("collisions {} + {} with walls", tallies.ball_collisions,
                      tallies.wall_collisions));

@@ -3,6 +3,7 @@
 #include "reference/finite_size.hpp"
 #include "reference/velocity_laws.hpp"
 #include "reference/walled_fluid.hpp"
+#include "view/confinement.hpp"
 
 #include <gsl/gsl_cdf.h>
 
@@ -54,12 +55,10 @@ std::optional<SpeedTest> test_speeds(std::vector<double> const& speeds, Velocity
     return test;
 }
 
-SpeedHistogram histogram_of(Frame const& frame, std::vector<double> const& speeds,
-                            std::optional<VelocityLaw> const& law, double kt) {
-    constexpr std::size_t points = 81, classes_max = 30;
+SpeedHistogram histogram_of(std::vector<double> const& speeds, double top) {
+    constexpr std::size_t classes_max = 30;
     SpeedHistogram histogram;
-    double const mass = frame.system.mass;
-    histogram.top = 4 * std::sqrt(std::max(kt, 1e-300) / mass);
+    histogram.top = top;
     auto const classes = std::clamp<std::size_t>(speeds.size() / 8, 8, classes_max);
     histogram.measured.assign(classes, 0);
     double const width = histogram.top / static_cast<double>(classes);
@@ -67,14 +66,36 @@ SpeedHistogram histogram_of(Frame const& frame, std::vector<double> const& speed
     for (double const speed : speeds) {
         if (speed < histogram.top)
             histogram.measured[static_cast<std::size_t>(speed / width)] += share;
+        else
+            ++histogram.beyond;
     }
+    return histogram;
+}
+
+void add_laws(SpeedHistogram& histogram, std::optional<VelocityLaw> const& law, double kt,
+              double mass) {
+    constexpr std::size_t points = 81;
     MaxwellBoltzmann const maxwell(kt, mass);
     for (std::size_t k = 0; k < points; ++k) {
         double const speed = histogram.top * static_cast<double>(k) / (points - 1);
         histogram.maxwell.push_back(static_cast<float>(maxwell.speed_density(speed)));
         if (law) histogram.exact.push_back(static_cast<float>(law->speed_density(speed)));
     }
-    return histogram;
+}
+
+/// With the laws that they follow in space.
+void add_speeds(Physics& physics, Frame const& frame) {
+    auto const speeds = speeds_of(frame);
+    if (!physics.without_law.empty()) {
+        physics.speeds =
+            histogram_of(speeds, 1.25 * *std::max_element(speeds.begin(), speeds.end()));
+        return;
+    }
+    double const kt = physics.temperature, mass = frame.system.mass;
+    physics.speeds = histogram_of(speeds, 4 * std::sqrt(kt / mass));
+    auto const law = law_of(frame);
+    add_laws(physics.speeds, law, kt, mass);
+    if (law) physics.speed_test = test_speeds(speeds, *law);
 }
 
 /// Where nothing has collided there is nothing to tell.
@@ -132,10 +153,10 @@ Physics physics_of(Frame const& frame, std::vector<Sample> const& samples) {
     if (!samples.empty() && samples.front().kinetic_energy > 0)
         physics.energy_drift = energy / samples.front().kinetic_energy - 1;
     if (!(physics.temperature > 0)) return physics;
-    auto const speeds = speeds_of(frame);
-    auto const law = law_of(frame);
-    physics.speeds = histogram_of(frame, speeds, law, physics.temperature);
-    if (law) physics.speed_test = test_speeds(speeds, *law);
+    physics.directions = directions_of_motion(frame.system, frame.snapshot);
+    physics.without_law = why_without_law(frame.system.count, physics.directions);
+    add_speeds(physics, frame);
+    if (physics.directions < 3) return physics;
     physics.compressibility_factor = factor_of(frame.system, physics.temperature, samples);
     physics.course = course_of(frame.system, physics.temperature, samples);
     add_theory(physics, frame.system);

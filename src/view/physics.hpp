@@ -5,6 +5,7 @@
 #include "view/frame.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace clack::view {
@@ -18,9 +19,11 @@ struct SpeedTest {
 
 /// Densities of speed, in classes of equal width from 0 to `top`.
 struct SpeedHistogram {
-    double top = 1;                    // [length / time]
-    std::vector<float> measured;       // of the balls  [time / length]
-    std::vector<float> exact, maxwell; // at points evenly from 0 to top; exact: none for few balls
+    double top = 1;              // [length / time]
+    std::vector<float> measured; // of the balls  [time / length]
+    std::size_t beyond = 0;      // balls that are faster than top
+    std::vector<float> exact,
+        maxwell; // at points evenly from 0 to top; none where they do not hold
 };
 
 /// Z as it stood at an earlier time: from the samples until then.
@@ -30,7 +33,9 @@ struct PressurePoint {
 };
 
 struct Physics {
-    double temperature = 0; // kT
+    double temperature = 0;  // kT
+    int directions = 3;      // in which balls move; of fewer, kT and Z are not told
+    std::string without_law; // why the speeds come to no law; empty where they do
     SpeedHistogram speeds;
     std::optional<SpeedTest> speed_test; // none for few balls
     CompressibilityFactor compressibility_factor;
