@@ -20,40 +20,40 @@ void read_size(std::string const& text, view::Options& options) {
     options.height = height;
 }
 
-/// What a word stands for.
-template <class Meaning>
-Meaning meaning_of(std::string const& option, std::string const& word,
-                   std::map<std::string, Meaning> const& meanings) {
-    if (auto const found = meanings.find(word); found != meanings.end()) return found->second;
-    std::string words;
-    for (auto const& [known, meaning] : meanings) words += (words.empty() ? "" : ", ") + known;
-    throw CLI::ValidationError(option, word + ": must be one of " + words);
+/// Adds an option that is one of some words.
+///   option   its name; others that it also goes by follow after commas
+///   result   what the word stands for, where one is given
+template <class Meaning, class Result>
+CLI::Option* add_word(CLI::App& command, std::string const& option, Result& result,
+                      std::map<std::string, Meaning> const& meanings, std::string const& help) {
+    auto const read = [name = option.substr(0, option.find(',')), &result,
+                       meanings](std::string const& word) {
+        auto const found = meanings.find(word);
+        if (found != meanings.end()) {
+            result = found->second;
+            return;
+        }
+        std::string words;
+        for (auto const& [known, meaning] : meanings) words += (words.empty() ? "" : ", ") + known;
+        throw CLI::ValidationError(name, word + ": must be one of " + words);
+    };
+    return command.add_option_function<std::string>(option, read, help);
 }
 
 void add_camera_options(CLI::App& command, view::Options& options) {
     using view::Background;
     using view::Colouring;
-    command
-        .add_option_function<std::string>(
-            "--colour,--color",
-            [&](std::string const& word) {
-                options.colouring = meaning_of<Colouring>("--colour", word,
-                                                          {{"speed", Colouring::speed},
-                                                           {"energy", Colouring::energy},
-                                                           {"collisions", Colouring::collisions},
-                                                           {"side", Colouring::side}});
-            },
-            "by speed, energy, collisions or side (the half of the cube it started in) [speed]")
+    add_word<Colouring>(
+        command, "--colour,--color", options.colouring,
+        {{"speed", Colouring::speed},
+         {"energy", Colouring::energy},
+         {"collisions", Colouring::collisions},
+         {"side", Colouring::side}},
+        "by speed, energy, collisions or side (the half of the cube it started in) [speed]")
         ->type_name("WHAT");
-    command
-        .add_option_function<std::string>(
-            "--background",
-            [&](std::string const& word) {
-                options.background = meaning_of<Background>(
-                    "--background", word,
-                    {{"light", Background::light}, {"dark", Background::dark}});
-            },
-            "light or dark [light; of the window: dark]")
+    add_word<Background>(command, "--background", options.background,
+                         {{"light", Background::light}, {"dark", Background::dark}},
+                         "light or dark [light; of the window: dark]")
         ->type_name("WHICH");
     command.add_option("--azimuth", options.azimuth, "where the camera stands [-60]")
         ->type_name("DEGREES");
@@ -70,20 +70,15 @@ void add_cut_options(CLI::App& command, view::Options& options) {
     command.add_option("--clip", options.clip, "share of the cube that is drawn [1]")
         ->type_name("SHARE")
         ->check(CLI::Range(0.0, 1.0).description(""));
-    command
-        .add_option_function<std::string>(
-            "--clip-from",
-            [&](std::string const& word) {
-                options.clip_from = meaning_of<Face>("--clip-from", word,
-                                                     {{"left", Face::left},
-                                                      {"right", Face::right},
-                                                      {"front", Face::front},
-                                                      {"back", Face::back},
-                                                      {"bottom", Face::bottom},
-                                                      {"top", Face::top}});
-            },
-            "the face at which the rest is cut away: left, right (of x), front, back (of y), "
-            "bottom or top (of z) [front]")
+    add_word<Face>(command, "--clip-from", options.clip_from,
+                   {{"left", Face::left},
+                    {"right", Face::right},
+                    {"front", Face::front},
+                    {"back", Face::back},
+                    {"bottom", Face::bottom},
+                    {"top", Face::top}},
+                   "the face at which the rest is cut away: left, right (of x), front, back "
+                   "(of y), bottom or top (of z) [front]")
         ->type_name("FACE");
 }
 
