@@ -29,10 +29,10 @@ void History::bend(Bend const& bend) {
     path_.push_back(bend);
 }
 
-void History::trace(std::int64_t ball, Bend const& start) {
+void History::trace(std::int64_t ball, std::optional<Bend> const& start) {
     traced_ = ball;
     path_.clear();
-    if (ball >= 0) path_.push_back(start);
+    if (ball >= 0 && start) path_.push_back(*start);
 }
 
 } // namespace clack::view

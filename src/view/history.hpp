@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace clack::view {
@@ -32,8 +33,8 @@ public:
     std::uint64_t total() const { return total_; }
     double last_time() const { return last_time_; }
 
-    /// From now on one ball's path is kept; -1 for none.
-    void trace(std::int64_t ball, Bend const& start);
+    /// From now on one ball's path is kept, or, without a start, that it is followed; -1 for none.
+    void trace(std::int64_t ball, std::optional<Bend> const& start);
     std::int64_t traced() const { return traced_; }
     std::vector<Bend> const& path() const { return path_; }
 

@@ -160,11 +160,11 @@ Sample Live::sample() const { return {time(), engine_->tallies(), engine_->kinet
 
 void Live::trace(std::int64_t ball) {
     if (ball < 0 || ball >= system().count) {
-        history_.trace(-1, {});
+        history_.trace(-1, std::nullopt);
         return;
     }
     auto const now = engine_->snapshot();
-    history_.trace(ball, {time(), now.positions.col(ball), now.velocities.col(ball)});
+    history_.trace(ball, Bend{time(), now.positions.col(ball), now.velocities.col(ball)});
 }
 
 /// A twin of the engine runs ahead and tells what it meets.

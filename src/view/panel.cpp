@@ -44,9 +44,10 @@ void draw_playback(Session& session) {
     draw_clock(session);
     if (ImGui::Button(shown.playing == Playing::yes ? "pause" : "play ")) session.toggle_playing();
     ImGui::SameLine();
-    if (ImGui::Button("< collision")) session.player.step_back();
+    std::string const step = shown.frame.pasts.empty() ? "frame" : "collision";
+    if (ImGui::Button(("< " + step).c_str())) session.player.step_back();
     ImGui::SameLine();
-    if (ImGui::Button("collision >")) session.player.step();
+    if (ImGui::Button((step + " >").c_str())) session.player.step();
     auto exponent = static_cast<float>(std::log10(shown.speed));
     ImGui::SetNextItemWidth(-70);
     auto const label = fmt::format("{:.3g} a second", shown.speed);
@@ -74,18 +75,27 @@ char const* colouring_name(Colouring colouring) {
     return colouring_names[static_cast<std::size_t>(colouring)];
 }
 
+void draw_sides() {
+    constexpr float line_height = 13; // [pixels]
+    for (auto const& [name, colour] :
+         {std::pair("left", left_colour), std::pair("right at the start", right_colour)}) {
+        ImGui::ColorButton(name, on_screen(colour), ImGuiColorEditFlags_NoTooltip,
+                           {line_height, line_height});
+        ImGui::SameLine();
+        text(name);
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+}
+
 void draw_legend(Session const& session) {
-    if (session.look.colouring == Colouring::side) {
-        constexpr float line_height = 13; // [pixels]
-        for (auto const& [name, colour] :
-             {std::pair("left", left_colour), std::pair("right at the start", right_colour)}) {
-            ImGui::ColorButton(name, on_screen(colour), ImGuiColorEditFlags_NoTooltip,
-                               {line_height, line_height});
-            ImGui::SameLine();
-            text(name);
-            ImGui::SameLine();
-        }
-        ImGui::NewLine();
+    auto const colouring = session.look.colouring;
+    if (colouring == Colouring::side) {
+        draw_sides();
+        return;
+    }
+    if (colouring == Colouring::collisions && session.shown->frame.pasts.empty()) {
+        text("grey: " + session.shown->unforetold);
         return;
     }
     ImVec2 const origin = ImGui::GetCursorScreenPos();
@@ -99,7 +109,6 @@ void draw_legend(Session const& session) {
                                                   IM_COL32(colour[0], colour[1], colour[2], 255));
     }
     ImGui::Dummy({width, 8});
-    auto const colouring = session.look.colouring;
     bool const ends = colouring == Colouring::collisions; // no ball is beyond the scale
     scale_ends(colouring_name(colouring),
                fmt::format("{:.3g}{}", scale_top(session.shown->frame, colouring),
@@ -126,8 +135,9 @@ void draw_cut(Cut& cut) {
 }
 
 /// In the colour of the rings around the two.
-void draw_next(Frame const& frame) {
-    auto const& next = frame.next;
+void draw_next(Shown const& shown) {
+    if (!shown.unforetold.empty()) text("next pair " + shown.unforetold, on_screen(pair_colour));
+    auto const& next = shown.frame.next;
     if (!next) return;
     auto const other = next->second >= 0 ? std::to_string(next->second) : std::string("a wall");
     text(fmt::format("next: {} and {} at {:.8g}", next->first, other, next->time),
@@ -147,7 +157,7 @@ void draw_look(Session& session) {
     ImGui::SameLine();
     checkbox("cube", session.look.cube);
     draw_cut(session.look.cut);
-    if (session.look.next_pair == Visible::yes) draw_next(session.shown->frame);
+    if (session.look.next_pair == Visible::yes) draw_next(*session.shown);
 }
 
 void draw_ball(Session& session) {
@@ -156,12 +166,17 @@ void draw_ball(Session& session) {
         text("click a ball to follow it");
         return;
     }
-    auto const ball = static_cast<Eigen::Index>(frame.traced);
-    text(fmt::format("ball {}: speed {:.6g}, {} collisions", frame.traced,
-                     frame.snapshot.velocities.col(ball).norm(),
-                     frame.pasts.empty() ? 0
-                                         : frame.pasts[static_cast<std::size_t>(ball)].collisions));
+    auto const ball = static_cast<std::size_t>(frame.traced);
+    auto const collisions = frame.pasts.empty()
+                                ? std::string()
+                                : fmt::format(", {} collisions", frame.pasts[ball].collisions);
+    text(fmt::format("ball {}: speed {:.6g}{}", frame.traced,
+                     frame.snapshot.velocities.col(frame.traced).norm(), collisions));
     if (ImGui::Button("let go")) session.player.trace(-1);
+    if (auto const& why = session.shown->unforetold; !why.empty()) {
+        ImGui::SameLine();
+        text("next " + why, on_screen(partner_colour));
+    }
     auto const& next = frame.next_of_traced;
     if (!next) return;
     auto const other = next->first == frame.traced ? next->second : next->first;

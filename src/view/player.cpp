@@ -237,10 +237,14 @@ Meter::Reached Player::reached(Sample const& sample) const {
     return {time, collisions_of(sample)};
 }
 
-bool Player::should_look_ahead() const {
+std::string Player::why_unforetold() const {
     constexpr std::int64_t at_all = 200'000;
     auto const count = source_->system().count;
-    return count <= (now_.playing == Playing::yes ? few_balls : at_all);
+    auto const* const history = source_->history();
+    if (!history || history->pasts().empty()) return "not known without collisions";
+    if (count > at_all) return "not foretold: too many balls";
+    if (now_.playing == Playing::yes && count > few_balls) return "foretold in a pause";
+    return {};
 }
 
 void Player::publish() {
@@ -248,7 +252,8 @@ void Player::publish() {
     changed_ = in_a_hurry; // more will be told in the next
     asked_since_ = false;
     Frame frame = frame_of(*source_, start_places_);
-    now_.settled = !should_look_ahead() || foresight_.tell(*source_, now_.tasks_done, frame);
+    now_.unforetold = why_unforetold();
+    now_.settled = !now_.unforetold.empty() || foresight_.tell(*source_, now_.tasks_done, frame);
     keep_sample(frame.sample);
     if (now_.playing == Playing::yes) {
         if (auto const rates = meter_.read(Clock::now(), reached(frame.sample)))

@@ -33,6 +33,7 @@ struct Shown {
     std::string description;
     std::string remark;  // on times between those that are known, empty if there is nothing to say
     std::string message; // what went wrong, empty if nothing
+    std::string unforetold; // why no collision to come is told; empty if one is, or there is none
 };
 
 class Player {
@@ -78,7 +79,7 @@ private:
     void keep_sample(Sample const& sample);
     Meter::Reached reached(Sample const& sample) const;
     void publish();
-    bool should_look_ahead() const;
+    std::string why_unforetold() const;
 
     // Of the thread alone.
     std::unique_ptr<Source> source_;

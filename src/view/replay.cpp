@@ -14,7 +14,7 @@ namespace clack::view {
 Replay::Replay(std::string const& path) : path_(path) {
     open();
     start_places_ = file_->snapshot(0).positions;
-    history_ = History(system().count);
+    history_ = History(has_events() ? system().count : 0);
     show_frame(0);
 }
 
@@ -73,6 +73,7 @@ void Replay::show_frame(std::size_t frame) {
     time_ = file_->frame_time(frame);
     flights_ = file_->snapshot(frame);
     since_.assign(static_cast<std::size_t>(system().count), time_);
+    met_ = sample_.tallies;
     next_event_ = events_until(frame);
 }
 
@@ -104,6 +105,7 @@ void Replay::take_event(Collision<double> event) {
         event.separation = wrapped(flights_.positions.col(event.second)) - event.position;
     }
     history_(event);
+    ++(event.kind == CollisionKind::ball ? met_.ball_collisions : met_.wall_collisions);
     ++next_event_;
     time_ = event.time;
 }
@@ -200,13 +202,24 @@ Snapshot Replay::snapshot() const {
     return now;
 }
 
+/// How often balls met is known at each moment, where the file tells it; all else at its frames.
+Sample Replay::sample() const {
+    Sample now = sample_;
+    if (!has_events()) return now;
+    now.tallies.ball_collisions = met_.ball_collisions;
+    now.tallies.wall_collisions = met_.wall_collisions;
+    return now;
+}
+
+/// Without collisions nobody knows the path between the frames.
 void Replay::trace(std::int64_t ball) {
-    if (ball < 0 || ball >= system().count) {
-        history_.trace(-1, {});
-        return;
+    bool const is_one = ball >= 0 && ball < system().count;
+    std::optional<Bend> start;
+    if (is_one && has_events()) {
+        auto const now = snapshot();
+        start = Bend{time_, now.positions.col(ball), now.velocities.col(ball)};
     }
-    auto const now = snapshot();
-    history_.trace(ball, {time_, now.positions.col(ball), now.velocities.col(ball)});
+    history_.trace(is_one ? ball : -1, start);
 }
 
 std::optional<NextCollision> Replay::next_collision(std::optional<std::int64_t> ball) {

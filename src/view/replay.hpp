@@ -28,8 +28,8 @@ public:
     bool step_back() override;
 
     Snapshot snapshot() const override;
-    Sample sample() const override { return sample_; }
-    History const* history() const override { return has_events() ? &history_ : nullptr; }
+    Sample sample() const override;
+    History const* history() const override { return &history_; }
     void trace(std::int64_t ball) override;
     Search search(std::optional<std::int64_t> ball) override;
     Eigen::Matrix3Xd const& start_places() const override { return start_places_; }
@@ -64,6 +64,7 @@ private:
     double first_time_ = 0, last_time_ = 0;
     std::size_t frame_ = 0; // the last one not later than now
     Sample sample_;         // of that frame
+    Tallies met_;           // collisions until now, where the file tells of each
     double time_ = 0;
 
     Snapshot flights_;                      // places and velocities as the last event left them

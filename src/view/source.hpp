@@ -49,7 +49,8 @@ public:
     virtual Snapshot snapshot() const = 0;
     /// What has been counted until now.
     virtual Sample sample() const = 0;
-    /// None where collisions are not known, in a file without them.
+    /// None where there is none; of no balls where collisions are not known, in a file without
+    /// them.
     virtual History const* history() const = 0;
     virtual void trace(std::int64_t ball) = 0;
 

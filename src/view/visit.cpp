@@ -49,6 +49,7 @@ std::string state_of(Session const& session, Visited& window) {
         {"answer", window.longest_answer()},
         {"description", shown.description},
         {"remark", shown.remark},
+        {"unforetold", shown.unforetold},
         {"message", shown.message}};
     return state.dump();
 }
