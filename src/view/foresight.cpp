@@ -53,9 +53,12 @@ bool Foresight::tell(Source& source, std::uint64_t tasks, Frame& frame) {
                found_.time <= wanted.time && holds(found_.next) &&
                (frame.traced < 0 || holds(found_.next_of_traced));
     };
-    if (!is_known() && !search_.valid()) begin(source, wanted);
     has_news();
-    if (!is_known()) return false;
+    if (!is_known() && !search_.valid()) {
+        begin(source, wanted);
+        has_news();
+    }
+    if (!is_known()) return false; // a search is under way
     frame.next = found_.next;
     frame.next_of_traced = found_.next_of_traced;
     return true;

@@ -1,9 +1,12 @@
 // What is drawn, how finely, and how long a person waits for it.
 
+#include "tests/scenes/scene_text.hpp"
+
 #include "view/answers.hpp"
 #include "view/ball_order.hpp"
 #include "view/draft.hpp"
 #include "view/fineness.hpp"
+#include "view/foresight.hpp"
 #include "view/live.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -14,6 +17,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <thread>
 #include <vector>
 
 using namespace clack::view;
@@ -218,4 +222,22 @@ BOOST_AUTO_TEST_CASE(a_step_back_after_long_play_does_not_begin_at_the_start) {
     auto const back = cpu_seconds([&] { BOOST_TEST(source.step_back()); });
     BOOST_TEST(source.history()->total() >= before - 1);
     BOOST_TEST(back < played / 2); // one third of the way at most
+}
+
+BOOST_AUTO_TEST_CASE(a_search_that_ends_too_late_is_followed_by_another) {
+    using namespace clack::test;
+    auto const many = changed(correct_scene, "count = 100", "count = 4000");
+    Live source(clack::parse_scene(changed(many, "20.0", "40.0"), "scene.toml"));
+    Foresight foresight;
+    auto frame = frame_of(source, nullptr);
+    foresight.tell(source, 0, frame);
+    std::this_thread::sleep_for(200ms); // it ends
+    std::uint64_t const tasks = 1;      // asked meanwhile
+    bool told = foresight.tell(source, tasks, frame);
+    for (int wait = 0; wait < 400 && !told; ++wait) {
+        std::this_thread::sleep_for(10ms);
+        told = foresight.has_news() && foresight.tell(source, tasks, frame);
+    }
+    BOOST_TEST(told);
+    BOOST_TEST(frame.next.has_value());
 }
