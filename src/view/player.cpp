@@ -106,6 +106,7 @@ void Player::seek(double time) {
     ask([this, time] {
         source_->seek(std::clamp(time, source_->first_time(), source_->last_time()));
         target_ = source_->time();
+        meter_.begin(Clock::now(), reached(source_->sample())); // a leap is no speed
     });
 }
 

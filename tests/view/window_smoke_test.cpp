@@ -129,6 +129,17 @@ BOOST_AUTO_TEST_CASE(it_plays_pauses_and_tells_its_speed) {
     BOOST_TEST(states[2]["time"] == states[1]["time"]);
 }
 
+BOOST_AUTO_TEST_CASE(a_leap_in_time_is_no_speed) {
+    std::string commands = "key space\nwait 0.7\nseek 500\n";
+    for (int print = 0; print < 6; ++print) commands += "wait 0.2\nprint\n"; // a speed lasts 0.5 s
+    for (auto const& state : states_of(visit(folder.write("gas.toml", gas), commands))) {
+        BOOST_TEST(state["playing"] == true);
+        BOOST_TEST(state["time"].get<double>() > 500);
+        BOOST_TEST(state["true_speed"].get<double>() > 0.1);
+        BOOST_TEST(state["true_speed"].get<double>() < 2); // asked for is 1
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_click_follows_a_ball_and_an_empty_place_lets_go) {
     // The ball in the middle of the cube is in the middle of the picture.
     auto const one = folder.write("one.toml", R"(
