@@ -228,7 +228,7 @@ void draw_help(Session& session) {
     ImGui::SetNextWindowPos({30, 30}, ImGuiCond_Appearing);
     if (ImGui::Begin("keys", &session.help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
-        for (Key const& key : keys()) text(fmt::format("{:<8}{}", key.name, key.effect));
+        for (Key const& key : keys()) text(fmt::format("{:<12}{}", key.name, key.effect));
         ImGui::Separator();
         text("drag        turn");
         text("right drag  move");
@@ -246,6 +246,7 @@ void draw_panel(Session& session, DrawingReport const& report) {
     ImVec2 const size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x - panel_width, 0});
     ImGui::SetNextWindowSize({panel_width, size.y});
+    ImGui::SetNextWindowBgAlpha(1); // no picture lies behind it, but panels of before
     ImGui::Begin("clack", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
@@ -257,8 +258,8 @@ void draw_panel(Session& session, DrawingReport const& report) {
     if (ImGui::CollapsingHeader("ball", open)) draw_ball(session);
     if (ImGui::CollapsingHeader("scene", open)) draw_scene(session);
     ImGui::Separator();
-    text(fmt::format("{} balls drawn in {:.0f} ms; ? for the keys", report.balls_drawn,
-                     1000 * report.seconds));
+    text(fmt::format("{} {} drawn in {:.0f} ms; ? for the keys", report.balls_drawn,
+                     report.balls_drawn == 1 ? "ball" : "balls", 1000 * report.seconds));
     // The two charts share what room is left, next time.
     float const spare =
         size.y - ImGui::GetStyle().WindowPadding.y - ImGui::GetCursorPosY() - ImGui::GetScrollY();
