@@ -54,8 +54,9 @@ private:
 /// Three coordinates, and what the owner of the bins notes there.
 using Cell = std::array<std::int32_t, 4>;
 
-/// Balls by cell; a bin has a block of `places`. Where there are more cells than bins, cells that are a multiple of the bins apart
-/// along an axis share one: a ball's surroundings then hold a few balls that are far away.
+/// Balls by cell; a bin has a block of `places`. Where there are more cells than bins, cells that
+/// are a multiple of the bins apart along an axis share one: a ball's surroundings then hold a few
+/// balls that are far away.
 template <std::int32_t places> class CellBins {
 public:
     CellBins(Boundary boundary, std::int32_t cells_per_side, std::size_t ball_count)

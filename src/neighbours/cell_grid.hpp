@@ -269,7 +269,7 @@ private:
 
     Container cube_;
     CellLattice<Real> lattice_;
-    CellBins<3> bins_;             // noted there: the axis along which a ball will leave its cell
+    CellBins<3> bins_;          // noted there: the axis along which a ball will leave its cell
     std::int32_t coarsest_;     // cells across the cube
     std::size_t crossings_ = 0; // since the last rebuild
     double reach_;              // centres farther apart than this do not touch

@@ -57,8 +57,9 @@ template <class Real>
 /// values about the diameter squared, by which quotients round up more often than down: without the
 /// remainder the energy of balls of diameter 1 rose by a tenth of a rounding a collision.
 template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> exchange_normal_velocities(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
-                                         Vector3<Real> const& separation, Real share = 1) {
+[[gnu::always_inline]] inline Vector3<Real>
+exchange_normal_velocities(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
+                           Vector3<Real> const& separation, Real share = 1) {
     Real const approach = dot<Real>(separation, velocity_j - velocity_i);
     if (!(approach < 0)) return Vector3<Real>::Zero();
     Real const distance2 = dot<Real>(separation, separation);

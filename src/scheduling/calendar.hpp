@@ -75,7 +75,7 @@ public:
     std::size_t bytes() const { return ring_.bytes() + bucket_.bytes(); }
 
 private:
-    static constexpr std::size_t events_ahead = 8; // for those who look six events ahead
+    static constexpr std::size_t events_ahead = 8;     // for those who look six events ahead
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
 
     /// As if all waited equally long.

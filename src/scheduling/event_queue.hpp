@@ -15,7 +15,7 @@ enum class Staleness {
 
 /// Whether the queue hears of both balls of a collision or of one.
 enum class Entries {
-    one_a_ball, // the next event of each has a place of its own
+    one_a_ball,  // the next event of each has a place of its own
     one_an_event // an event of two balls stands in the queue once, for the ball that found it
 };
 

@@ -92,7 +92,8 @@ public:
     }
 
     std::size_t bytes() const {
-        return times_.capacity() * sizeof(Real) + balls_.capacity() * sizeof(std::int32_t) + heap_.capacity() * sizeof(Ranked);
+        return times_.capacity() * sizeof(Real) + balls_.capacity() * sizeof(std::int32_t) +
+               heap_.capacity() * sizeof(Ranked);
     }
 
 private:

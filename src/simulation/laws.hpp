@@ -42,7 +42,8 @@ public:
         }
     }
 
-    /// Whether two balls that collide are a diameter apart beyond any question, which takes no root.
+    /// Whether two balls that collide are a diameter apart beyond any question, which takes no
+    /// root.
     bool near_contact(Real distance2, Real diameter2) const {
         using std::abs;
         return abs(distance2 - diameter2) <= rounding_of_places_;

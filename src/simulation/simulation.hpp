@@ -66,7 +66,8 @@ public:
                 continue;
             }
             if constexpr (can_look_ahead) {
-                if (agenda_.queue().looks_ahead()) LookAhead::look(state_, agenda_, search_, agenda_.queue());
+                if (agenda_.queue().looks_ahead())
+                    LookAhead::look(state_, agenda_, search_, agenda_.queue());
             }
             if (scout_) scout_->event_comes();
             laws_.time_goes_on(clock_, time);
@@ -78,7 +79,8 @@ public:
     /// From now on a second thread reads ahead, where that is possible.
     void read_ahead() {
         if constexpr (Lookout::possible) {
-            if (!scout_) scout_ = std::make_unique<Lookout>(state_, agenda_, search_, agenda_.queue());
+            if (!scout_)
+                scout_ = std::make_unique<Lookout>(state_, agenda_, search_, agenda_.queue());
         }
     }
     int threads() const { return scout_ ? 2 : 1; }
@@ -93,9 +95,7 @@ public:
 
     BallState<Real, Container<Real>> const& state() const { return state_; }
 
-    std::size_t bytes() const {
-        return state_.bytes() + agenda_.bytes() + search_.bytes();
-    }
+    std::size_t bytes() const { return state_.bytes() + agenda_.bytes() + search_.bytes(); }
 
 private:
     static constexpr bool periodic = Container<Real>::boundary == Boundary::periodic;
@@ -140,8 +140,8 @@ private:
         Real const distance2 = dot<Real>(separation, separation);
         Real const diameter2 = model_.diameter_squared(pair, clock_.offset);
         if (!laws_.near_contact(distance2, diameter2)) {
-            laws_.in_contact(distance2, diameter2, pair, clock_, agenda_.number(i), agenda_.number(j),
-                             tallies_);
+            laws_.in_contact(distance2, diameter2, pair, clock_, agenda_.number(i),
+                             agenda_.number(j), tallies_);
         }
 
         Vector3<Real> const impulse =

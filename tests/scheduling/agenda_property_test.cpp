@@ -21,8 +21,8 @@ template <class Queue> struct Chance {
     static constexpr std::int32_t count = 60;
     std::mt19937_64 random{11};
     std::vector<std::int32_t> numbers = std::vector<std::int32_t>(count);
-    Agenda<double, Queue> agenda = (std::iota(numbers.begin(), numbers.end(), 0),
-                                    Agenda<double, Queue>(numbers));
+    Agenda<double, Queue> agenda =
+        (std::iota(numbers.begin(), numbers.end(), 0), Agenda<double, Queue>(numbers));
     double now = 0;
     int met = 0, expired = 0, missed = 0;
 
