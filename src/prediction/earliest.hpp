@@ -141,9 +141,11 @@ pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, Container const& 
     return pair;
 }
 
-/// As many candidates of one ball at a time as there are lanes, `most` in all. The candidates are
-/// padded to a multiple of that with the ball itself, which never touches itself, having no
-/// velocity relative to itself (unless balls grow).
+/// As many candidates of one ball at a time as there are lanes, `most` in all. The candidates, one
+/// at least, are padded to a multiple of that with the ball itself, which never touches itself,
+/// having no velocity relative to itself (unless balls grow). All times are kept and the earliest
+/// is found among them in one mask: 1.02 to 1.04 times as fast as to keep track of it lane by lane.
+/// Tried at crossings and left: no roots where no lane touches, 0.96 to 1.01.
 template <Flight flight, class Real, class Container, class Model> class LaneSearch {
 public:
     static constexpr std::size_t most = 64; // a bit each
@@ -249,7 +251,8 @@ Contact<Real> earliest_contact(Scenery<Real, Container, Model> const& scenery, s
 }
 
 /// The same for two balls that have both been written at `now`, side by side: neither waits for the
-/// other's roots.
+/// other's roots. Measured at packing fractions 0.05, 0.20, 0.40 and 0.49: 1.05, 1.08, 1.04 and 1.03
+/// times as fast.
 template <class Real, class Container, class Model>
 std::pair<Contact<Real>, Contact<Real>>
 earliest_contacts(Scenery<Real, Container, Model> const& scenery, std::int32_t i,

