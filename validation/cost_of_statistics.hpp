@@ -23,7 +23,7 @@ struct Plan {
 
 inline Plan plan(Profile const profile) {
     bool const full = profile == Profile::full;
-    Plan plan{{0.2, 108, 0, 0, {}, 0}, full ? 100 : 32,  full ? 30 : 6, {},
+    Plan plan{{0.2, 108, 0, 0, {}, 0}, full ? 100 : 96,  full ? 30 : 6, {},
               full ? 4u : 3u,          {0.3, 0.1, 0.03}, {1e3, 1.6e4}};
     for (double duration = 12.5; duration < (full ? 20'000 : 5'000); duration *= 4)
         plan.durations.push_back(duration);
