@@ -1,6 +1,6 @@
 # What each ingredient costs a collision that does not need it (above), and a map of the models that
 # `auto` chooses with their rate over that of the best method (middle: walls, below: periodic).
-height = 15.5
+height = 18.5
 load 'paper/style.gp'
 
 prices = data . '/price_of_generality.csv'
@@ -15,8 +15,8 @@ within(x) = x < shortest ? shortest : x > longest ? longest : x
 set multiplot
 set datafile missing NaN
 
-set tmargin at screen 0.985
-set bmargin at screen 0.60
+set tmargin at screen 0.988
+set bmargin at screen 0.503
 set lmargin at screen 0.40
 set rmargin at screen 0.785
 set xrange [shortest:longest]
@@ -30,7 +30,7 @@ first = 'every ::1::rows'
 plot prices using (within($5)):0:(1):(within($5)):($0 - 0.3):($0 + 0.3):ytic(4) @first with boxxyerror lc rgb '#56b4e9', \
      prices using ($5 < longest ? $5 : NaN):0:6 @first with xerrorbars ls 1 ps 0 lw thin, \
      prices using ($5 < longest ? NaN : longest):0:('…') @first with labels left offset -1.6, 0, \
-     prices using (longest):0:(sprintf($5 < 2 ? '%.3f ± %.3f' : '%.1f ± %.1f', $5, $6)) @first with labels left offset 0.6, 0
+     prices using (longest):0:(sprintf($5 < 2 ? '%.3f ± %.3f' : $5 < 10 ? '%.2f ± %.2f' : '%.1f ± %.1f', $5, $6)) @first with labels left offset 0.6, 0
 unset arrow
 
 # A map of the methods: what `auto` chooses by number of balls and packing fraction, and its rate
@@ -57,20 +57,20 @@ set ylabel 'packing fraction ' . eta offset 1.0, -4.8
 unset xlabel
 do for [k = 1:5] {
     x = 0.03 + (k > 2 ? 0.345 * (k - 3) : 0.345 * (k - 1) + 0.17)
-    y = k > 2 ? 0.470 : 0.492
-    set object k rect from screen x, y to screen x + 0.026, y + 0.012 fc rgb colours[k] fs solid border lc rgb '#777777'
-    set label k word(titles, k) at screen x + 0.04, y + 0.006 left font ',8'
+    y = k > 2 ? 0.394 : 0.412
+    set object k rect from screen x, y to screen x + 0.026, y + 0.010 fc rgb colours[k] fs solid border lc rgb '#777777'
+    set label k word(titles, k) at screen x + 0.04, y + 0.005 left font ',8'
 }
 map = "plot choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(0.5):(0.5):(colour(strcol(4), strcol(5))) every ::1 with boxxyerror lc rgb variable, choices using (place(counts, $2)):(row(boundary, place(fractions, $3))):(sprintf('%.2f', $6)) every ::1 with labels font ',4.6'"
 
-set tmargin at screen 0.435
-set bmargin at screen 0.265
+set tmargin at screen 0.364
+set bmargin at screen 0.222
 boundary = 'walls'
 set label 9 'walls: what auto chooses, and its rate / best method' at graph 0, 1.07 left font ',8'
 eval map
 do for [k = 1:5] { unset object k; unset label k }
 
-set tmargin at screen 0.235
+set tmargin at screen 0.197
 set bmargin at screen 1.1 / height
 set xtics scale 0 font ',7' ('' 1)
 do for [k = 1:words(counts)] { set xtics add (word(counts, k) k) }

@@ -2,7 +2,6 @@
 // What each ingredient costs a collision, and what `auto` chooses: state points and measurements.
 
 #include "neighbours/cell_grid.hpp"
-#include "observables/event_replay.hpp"
 #include "observables/overlap.hpp"
 #include "scheduling/calendar.hpp"
 #include "simulation/engine_of.hpp"
@@ -14,6 +13,7 @@
 #include "validation/ingredients.hpp"
 #include "validation/lattice_start.hpp"
 #include "validation/mutants/engine_maker.hpp"
+#include "validation/observed_runs.hpp"
 #include "validation/sized_balls.hpp"
 #include "validation/timing.hpp"
 
@@ -66,36 +66,6 @@ std::unique_ptr<Engine> engine_with(System const& system, Start const& start) {
         std::move(state), ModelDescription{});
 }
 
-/// Keeps the events that were last.
-class EventKeeper final : public CollisionObserver {
-public:
-    void operator()(Collision<double> const& collision) override {
-        kept_[next_++ % kept_.size()] = collision;
-    }
-
-private:
-    std::vector<Collision<double>> kept_ = std::vector<Collision<double>>(4096);
-    std::size_t next_ = 0;
-};
-
-/// Holds each event against the laws.
-class EventChecker final : public CollisionObserver {
-public:
-    EventChecker(System const& system, Start const& start)
-        : replay_(system, epoch_length(system, speed), unit_roundoff<double>, at_start(start)) {}
-    void operator()(Collision<double> const& collision) override { replay_.add_event(collision); }
-
-private:
-    static Snapshot at_start(Start const& start) {
-        Snapshot snapshot;
-        snapshot.positions = start.positions;
-        snapshot.velocities = start.velocities;
-        return snapshot;
-    }
-
-    EventReplay replay_;
-};
-
 enum class Sameness {
     bits,            // the hash of the plain run
     first_collisions // other arithmetic: the same partners at first
@@ -123,7 +93,12 @@ inline TimedRun kept_run(System const& system, Start const& start) {
     return {engine_with(system, start), std::make_unique<EventKeeper>()};
 }
 inline TimedRun checked_run(System const& system, Start const& start) {
-    return {engine_with(system, start), std::make_unique<EventChecker>(system, start)};
+    return {engine_with(system, start),
+            std::make_unique<EventChecker>(system, start, epoch_length(system, speed))};
+}
+template <TimedRun (*watched)(std::unique_ptr<Engine>)>
+TimedRun watched_run(System const& system, Start const& start) {
+    return watched(engine_with(system, start));
 }
 
 inline std::vector<Ingredient> const& ingredients() {
@@ -138,6 +113,14 @@ inline std::vector<Ingredient> const& ingredients() {
         {"the hash of all events", hashed_run},
         {"records of all events", kept_run},
         {"laws checked at all events", checked_run},
+        {"free flights", watched_run<with_flights>},
+        {"Helfand's moments", watched_run<with_moments>},
+        {"a tangent vector", watched_run<with_tangent>},
+        {"looks: density profile", watched_run<with_profile>},
+        {"looks: self-correlation", watched_run<with_correlation>},
+        {"looks: pair correlation", watched_run<with_pairs>},
+        {"looks: structure factor", watched_run<with_waves>},
+        {"looks: bond order", watched_run<with_bonds>},
         {"float", run_with<float>, first_collisions},
         {"long double", run_with<long double>, first_collisions, 4},
         {"quad", run_with<quad>, first_collisions, 20}};

@@ -5,8 +5,10 @@
 #include "simulation/engine.hpp"
 #include "validation/statistics/verdict.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <vector>
@@ -43,17 +45,26 @@ inline Start start_of(Engine const& engine) {
 struct TimedRun {
     std::unique_ptr<Engine> engine;
     std::unique_ptr<CollisionObserver> observer = {};
-    std::uint64_t done = 0; // collisions, timed or not
+    std::function<void(Engine const&)> look = {}; // taken once for each collision of a ball
+    std::uint64_t done = 0;                       // collisions, timed or not
 
     /// Processor time of a slice of collisions. A third goes first, untimed: others have had the
     /// caches meanwhile.
     double go(std::uint64_t const slice) {
-        done += slice / 3;
-        engine->advance({.ball_collisions = done}, observer.get());
+        advance(slice / 3);
         double const begin = processor_seconds();
-        done += slice;
-        engine->advance({.ball_collisions = done}, observer.get());
+        advance(slice);
         return processor_seconds() - begin;
+    }
+    void advance(std::uint64_t const slice) {
+        std::uint64_t const end = done + slice;
+        auto const between =
+            static_cast<std::uint64_t>(std::max<std::int64_t>(engine->system().count / 2, 1));
+        while (done < end) {
+            done = look ? std::min(done + between, end) : end;
+            engine->advance({.ball_collisions = done}, observer.get());
+            if (look) look(*engine);
+        }
     }
 };
 

@@ -33,6 +33,16 @@ BOOST_AUTO_TEST_CASE(neutral_ingredients_leave_the_balls_their_way) {
         BOOST_TEST(require_neutral(ingredient, small, start) >= 5, ingredient.name);
 }
 
+// Those who look pay for so many looks, whatever the slices that are timed.
+BOOST_AUTO_TEST_CASE(balls_are_looked_at_once_for_each_collision_of_a_ball) {
+    int looks = 0;
+    TimedRun run = run_with<>(small, equilibrated(small, 1));
+    run.look = [&](Engine const&) { ++looks; };
+    run.go(450); // and a third before
+    BOOST_TEST(run.engine->tallies().ball_collisions == 600);
+    BOOST_TEST(looks == 2 * 600 / small.count);
+}
+
 BOOST_AUTO_TEST_CASE(ingredient_that_is_not_neutral_is_caught) {
     Start const start = equilibrated(small, 1);
     Ingredient const narrower{"narrower balls", [](System system, Start const& from) {
