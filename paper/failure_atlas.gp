@@ -23,7 +23,8 @@ shown(code, k, gross, reached, last, why) = \
     (code == 8 ? word('t w r m', int(why)) : code == 0 ? (real(reached) < real(last) ? '≤ ' . number(reached) : '') : code == 1 ? number(k) : number(gross))
 
 # A dagger: from some k on physics has no answer. What grows with k stands behind the name.
-title(scene, parameter, none) = scene . (none eq 'nan' ? '' : '†') . ' {/=5.5 (' . raised(parameter) . ')}'
+title(scene, parameter, none) = scene . (none eq 'nan' ? '' : '†') . ' {/=5.5 (' . raised(minus(parameter)) . ')}'
+minus(text) = (strstrt(text, ' - ') ? text[1:strstrt(text, ' - ')] . '−' . text[strstrt(text, ' - ') + 2:*] : text)
 raised(text) = (strstrt(text, '10^-k') ? text[1:strstrt(text, '10^-k') - 1] . '10^{−k}' . text[strstrt(text, '10^-k') + 5:*] : text)
 
 set lmargin at screen 0.305
