@@ -45,8 +45,8 @@ std::vector<Line> measured(Experiment& experiment, Plan const& plan) {
             fmt::format("{} {} packing_fraction={} count={} durations={} stepped={}", method, knob,
                         plan.point.packing_fraction, plan.point.count,
                         fmt::join(plan.durations, ","), plan.stepped_durations);
-        lines.push_back(
-            {method, knob, experiment.campaign().replicates(text, replicates, measure)});
+        Task const task{text, replicates, measure};
+        lines.push_back({method, knob, experiment.campaign().replicates({task}).front()});
     };
     add("fast", "double", plan.engine_replicates,
         [&](std::uint64_t const seed) { return measure_engine(plan, seed); });

@@ -82,7 +82,7 @@ Macros macros_of(std::vector<Measured> const& all) {
         softened.push_back(one.mean(first, softened_median).value);
         for (std::size_t const k : {std::size_t{0}, one.hardest()})
             kept.push_back(100 * one.mean(k, kept_fraction).value);
-        segments += one.point.segments * one.point.replicates;
+        segments += one.point.segments * static_cast<int>(one.replicates.size());
     }
     Macros macros("TrajectoriesVsLammps");
     macros.define("Version", reference::lammps_version);
@@ -102,12 +102,13 @@ Macros macros_of(std::vector<Measured> const& all) {
 Verdict ask(Experiment& experiment) {
     std::vector<Measured> all;
     Ledger ledger({{"packing_fraction", "$\\eta$"}, {"count", "$n$"}});
-    for (StatePoint const& point : state_points(experiment.profile())) {
-        all.push_back({point, experiment.campaign().replicates(
-                                  point.text(), point.replicates,
-                                  [&](std::uint64_t seed) { return measure(point, seed); })});
-        enter(ledger, all.back());
-    }
+    auto const points = state_points(experiment.profile());
+    auto const by_lammps = [](StatePoint const& point, std::uint64_t const seed) {
+        return measure(point, seed);
+    };
+    auto const replicates = experiment.campaign().replicates(tasks_of(points, by_lammps));
+    for (std::size_t p = 0; p < points.size(); ++p)
+        enter(ledger, all.emplace_back(Measured{points[p], replicates[p]}));
     for (double const packing_fraction : {0.2, 0.4})
         for (Value const value : {plain_beyond, softened_beyond})
             enter_beyond(ledger, all, packing_fraction, value);

@@ -43,10 +43,9 @@ std::vector<Row> measured(Experiment& experiment) {
     for (StatePoint const& point : state_points(experiment.profile()))
         for (Group const& group : groups(point, experiment.profile())) {
             try {
+                Task const task{point.text(group.what), group.replicates, group.measure};
                 auto const more =
-                    rows_of(point, group,
-                            experiment.campaign().replicates(point.text(group.what),
-                                                             group.replicates, group.measure));
+                    rows_of(point, group, experiment.campaign().replicates({task}).front());
                 rows.insert(rows.end(), more.begin(), more.end());
             } catch (reference::LammpsError const& error) {
                 std::cout << "without LAMMPS: " << error.what() << '\n';
