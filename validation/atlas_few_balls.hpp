@@ -11,6 +11,9 @@
 
 namespace clack::validation::atlas {
 
+/// Which of many starts that are as good; 0 is everybody's.
+using Draw = std::uint64_t;
+
 inline double tenth(double k) { return std::pow(10.0, -k); }
 
 inline Problem between_walls(double side, std::vector<Eigen::Vector3d> const& places,
@@ -78,9 +81,9 @@ inline Problem dilute(double k) {
     return problem;
 }
 
-inline Problem far_from_zero(double k) {
+inline Problem far_from_zero(double k, Draw draw) {
     double const side = std::max(std::pow(10.0, k), 5.0);
-    std::mt19937_64 random(2015);
+    std::mt19937_64 random(2015 + draw);
     std::vector<Eigen::Vector3d> places, velocities;
     for (int n = 0; n < 8; ++n) {
         int const row = n / 2 % 2, layer = n / 4;
@@ -153,8 +156,8 @@ inline Problem cradle(std::size_t count, double gap) {
     return on_line(places, speeds, places.back() + 3.25, 7.3);
 }
 
-inline Problem chain(double k) {
-    std::mt19937_64 random(3);
+inline Problem chain(double k, Draw draw) {
+    std::mt19937_64 random(3 + draw);
     std::vector<double> places, speeds;
     for (int i = 0; i < 10; ++i) {
         places.push_back(1 + 2 * i + std::round(1024 * uniform(random, -0.25, 0.25)) / 1024);

@@ -79,7 +79,8 @@ Macros macros_of(Atlas const& atlas, Profile const profile) {
 } // namespace
 
 Verdict ask(Experiment& experiment) {
-    Atlas atlas{scenes(experiment.profile()), contenders(), {}};
+    auto const draw = static_cast<Draw>(experiment.seed_set());
+    Atlas atlas{scenes(experiment.profile(), draw), contenders(), {}};
     SoftBalls soft;
     for (Scene const& scene : atlas.scenes) {
         std::string const point =

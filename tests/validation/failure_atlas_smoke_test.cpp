@@ -112,6 +112,28 @@ BOOST_AUTO_TEST_CASE(fast_method_fails_in_no_scene) {
     }
 }
 
+// Other seeds are other starts wherever chance has a part in them.
+BOOST_AUTO_TEST_CASE(rows_of_another_draw_start_otherwise) {
+    auto const one = scenes(Profile::quick), other = scenes(Profile::quick, 1);
+    std::vector<std::string> drawn;
+    for (std::size_t r = 0; r < one.size(); ++r) {
+        double const k = one[r].levels.front();
+        Start const a = one[r].make(k).start, b = other[r].make(k).start;
+        if (a.positions != b.positions || a.velocities != b.velocities)
+            drawn.push_back(one[r].name);
+    }
+    std::vector<std::string> const by_chance{"lattice of equal speeds",
+                                             "one fast ball",
+                                             "near close packing",
+                                             "long run",
+                                             "very long run",
+                                             "late clock",
+                                             "time reversal",
+                                             "balls on a line",
+                                             "far from zero"};
+    BOOST_TEST(drawn == by_chance, boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(long_runs_are_as_long_as_they_say) {
     Problem const problem = scene("long run").make(4);
     Judged const found = judged(contender(champion), problem, reference_of(problem));

@@ -48,6 +48,7 @@ public:
     Experiment(Question asked, Options options);
 
     Profile profile() const { return options_.profile; }
+    int seed_set() const { return options_.seed_set; } // where starts are not drawn by replicate
     Campaign& campaign() { return campaign_; }
 
     /// Asks, and what is undecided again, of twice as many replicates each time. Leaves the summary
