@@ -53,7 +53,7 @@ do for [j = 1:3] {
         set label 2 "frames, LAMMPS:\nmore work for\neach digit" at graph 0.97, 0.72 right font ',7'
         set label 3 "engine: digits\nby the type" at graph 0.97, 0.32 right font ',7'
     }
-    set yrange [1e-36:20]
+    set yrange [1e-38:20]
     set ytics 1e-40, 1e5
     set format y (j == 1 ? '10^{%T}' : '')
     set ylabel (j == 1 ? 'position error (diameters)' : '') offset 0.6, 0
@@ -76,7 +76,7 @@ do for [j = 1:3] {
     i = 3; y = 9
     @cell
     set logscale y
-    set yrange [1e-36:20]
+    set yrange [1e-38:20]
     set ytics 1e-40, 1e5
     set format y (j == 1 ? '10^{%T}' : '')
     set ylabel (j == 1 ? 'deepest overlap (diameters)' : '') offset 0.6, 0
