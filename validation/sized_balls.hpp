@@ -82,16 +82,30 @@ pairs_of(Ball<Real> const& ball, BallLanes<Real> const& other, CubeOfSizes<Conta
     return {pairs_of<flight>(ball, other, plain, now), other.note + ball.note};
 }
 
-/// For cubes in which a pair can touch through one image only.
+/// The scene as the engine's loop over candidates is to see it; for cubes in which a pair can touch
+/// through one image only.
+template <class Real, class Container> struct SizesSeen {
+    CubeOfSizes<Container> cube;
+    SizedScenery<Real, CubeOfSizes<Container>> scenery;
+
+    explicit SizesSeen(SizedScenery<Real, Container> const& plain)
+        : cube{plain.cube}, scenery{plain.balls, plain.numbers, cube, plain.model, false} {}
+};
+
 template <class Real, class Container>
 Contact<Real> earliest_contact(SizedScenery<Real, Container> const& scenery, std::int32_t i,
                                std::span<std::int32_t const> candidates, Real now,
                                Real limit = infinity<Real>) {
-    using Cube = CubeOfSizes<Container>;
-    Cube const cube{scenery.cube};
-    return clack::earliest_contact(
-        SizedScenery<Real, Cube>{scenery.balls, scenery.numbers, cube, scenery.model, false}, i,
-        candidates, now, limit);
+    SizesSeen<Real, Container> const seen(scenery);
+    return clack::earliest_contact(seen.scenery, i, candidates, now, limit);
+}
+template <class Real, class Container>
+std::pair<Contact<Real>, Contact<Real>>
+earliest_contacts(SizedScenery<Real, Container> const& scenery, std::int32_t i,
+                  std::span<std::int32_t const> candidates_i, std::int32_t j,
+                  std::span<std::int32_t const> candidates_j, Real now) {
+    SizesSeen<Real, Container> const seen(scenery);
+    return clack::earliest_contacts(seen.scenery, i, candidates_i, j, candidates_j, now);
 }
 
 } // namespace clack::validation

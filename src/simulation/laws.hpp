@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -85,7 +86,9 @@ public:
     }
 
 private:
-    Real const rounding_ = 1024 * unit_roundoff<Real>;
+    // The places of a start are doubles, whatever type they are moved in.
+    Real const rounding_ =
+        std::max<Real>(1024 * unit_roundoff<Real>, static_cast<Real>(16 * unit_roundoff<double>));
     double count_;
     Real length_, epoch_length_;
     Real rounding_of_places_; // in a squared distance

@@ -50,6 +50,29 @@ BOOST_AUTO_TEST_CASE(overlap_that_recedes_is_left_alone) {
     BOOST_TEST(engine->tallies().ball_collisions == 0u);
 }
 
+// They overlap by the rounding of the doubles that a start is given in.
+BOOST_AUTO_TEST_CASE(touching_balls_of_a_start_may_collide_in_every_type) {
+    System system;
+    system.side = 10;
+    system.count = 2;
+    std::mt19937_64 random(8);
+    for (Precision const precision :
+         {Precision::single_, Precision::double_, Precision::extended, Precision::quadruple}) {
+        for (int k = 0; k < 20; ++k) {
+            Vector3<double> const aside = made_up::in_cube(random, -1, 1).normalized();
+            Vector3<double> const middle = made_up::in_cube(random, 4, 6);
+            Start start;
+            start.positions.resize(3, 2);
+            start.velocities.resize(3, 2);
+            start.positions << middle - aside / 2, middle + aside / 2;
+            start.velocities << aside, -aside;
+            auto const engine = make_engine(system, Method::fast, precision, start);
+            engine->advance({.time = 1});
+            BOOST_TEST(engine->tallies().ball_collisions == 1u);
+        }
+    }
+}
+
 /// A touching close-packed lattice: there is no next moment.
 BOOST_AUTO_TEST_CASE(jammed_balls_are_noticed) {
     System system = made_up::system(Boundary::periodic, 32, std::numbers::pi / std::sqrt(18));
