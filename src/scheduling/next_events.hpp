@@ -91,7 +91,8 @@ public:
 private:
     Rank rank(EventKind kind, std::int32_t ball, Partner partner) const {
         std::int32_t const mine = number(ball);
-        if (kind != EventKind::ball) return {kind, mine, wall_of(partner)};
+        if (kind == EventKind::expiry) return {kind, mine, 0}; // whomever it will meet
+        if (kind == EventKind::wall) return {kind, mine, wall_of(partner)};
         std::int32_t const theirs = number(partner);
         return {kind, std::min(mine, theirs), std::max(mine, theirs)};
     }

@@ -104,6 +104,22 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(no_event_of_any_ball_is_missed, Queue, Queues) {
     BOOST_TEST(chance.missed > 400);
 }
 
+// More events of one moment than stand in a row: an expiry holds, whomever a ball is told to meet
+BOOST_AUTO_TEST_CASE(an_expiry_holds_whatever_the_ball_is_told) {
+    constexpr std::int32_t count = 200;
+    std::vector<std::int32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    Agenda<double, Calendar<double>> agenda(numbers);
+    for (std::int32_t ball = 0; ball < count; ++ball) agenda[ball] = {infinity<double>, 1, nobody};
+    agenda.rebuild(0);
+    for (std::int32_t ball = 0; ball < count; ++ball) {
+        BOOST_TEST_REQUIRE(agenda.earliest() == ball);
+        agenda[ball] = {2, 5, (ball + 1) % count}; // to be met by the next, which expires at 1
+        agenda.file(ball);
+        agenda.tell_partner(ball);
+    }
+}
+
 // Half of the entries is what it is for.
 BOOST_AUTO_TEST_CASE(an_event_of_two_balls_is_filed_for_one) {
     std::vector<std::int32_t> const numbers{0, 1, 2};
