@@ -48,8 +48,8 @@ std::size_t expected_bytes(System const& system, Method method, Precision precis
     // peak, and a fifth more, which a dense random start needs for a while.
     std::size_t per_ball = 11 * number + 69;
     if (system.boundary == Boundary::periodic) per_ball += 12;
-    if (choice.search != SearchKind::every_pair) per_ball += 41;
-    if (choice.search == SearchKind::neighbour_list) per_ball += 36;
+    if (choice.search == SearchKind::cell_grid) per_ball += 25;
+    if (choice.search == SearchKind::neighbour_list) per_ball += 77;
     if (choice.queue == QueueKind::calendar) per_ball += 22;
     constexpr std::size_t program = 32u << 20;
     return program + per_ball * static_cast<std::size_t>(system.count) / 5 * 6;
