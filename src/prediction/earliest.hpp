@@ -251,8 +251,8 @@ Contact<Real> earliest_contact(Scenery<Real, Container, Model> const& scenery, s
 }
 
 /// The same for two balls that have both been written at `now`, side by side: neither waits for the
-/// other's roots. Measured at packing fractions 0.05, 0.20, 0.40 and 0.49: 1.05, 1.08, 1.04 and 1.03
-/// times as fast.
+/// other's roots. Measured at packing fractions 0.05, 0.20, 0.40 and 0.49: 1.05, 1.08, 1.04
+/// and 1.03 times as fast.
 template <class Real, class Container, class Model>
 std::pair<Contact<Real>, Contact<Real>>
 earliest_contacts(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
