@@ -73,8 +73,8 @@ private:
         NextEvent<Real> const& mine = at(ball);
         if (!once || mine.partner < 0 || mine.expiry <= mine.contact) return false;
         NextEvent<Real> const& theirs = at(mine.partner);
-        return static_cast<bool>(theirs.filed & (theirs.contact < theirs.expiry) &
-                                 this->mutual(ball));
+        return (int{theirs.filed} & int{theirs.contact < theirs.expiry} &
+                int{this->mutual(ball)}) != 0;
     }
 
     /// A ball will no longer touch what it was going to. If that is a ball who was not filed
@@ -82,7 +82,7 @@ private:
     void drop_contact(std::int32_t ball) {
         if constexpr (once) {
             std::int32_t const other = at(ball).partner;
-            if (other >= 0 && static_cast<bool>(!at(other).filed & this->mutual(ball))) file(other);
+            if (other >= 0 && (int{!at(other).filed} & int{this->mutual(ball)}) != 0) file(other);
         }
     }
 

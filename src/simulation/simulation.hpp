@@ -168,7 +168,7 @@ private:
         Ball<Real>& other = state_[j];
         if constexpr (heeds_notes<Model<Real>>) {
             Vector3<Real> velocity_i = one.velocity, velocity_j = other.velocity;
-            Vector3<Real> const given =
+            Vector3<Real> given =
                 model_.collide(velocity_i, velocity_j, separation, tallies_.ball_collisions);
             set_velocity_and_note(one, velocity_i, infinity<Real>);
             set_velocity_and_note(other, velocity_j, infinity<Real>);
