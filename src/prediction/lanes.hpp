@@ -91,17 +91,26 @@ template <class Condition> [[gnu::always_inline]] inline std::uint32_t bits_of(C
 #endif
 }
 
+#ifdef __AVX512VL__
+/// A bit for each lane in which two numbers stand in a relation. g++ 12 would make a vector of the
+/// mask, and a mask of the vector.
+template <int relation, class Numbers>
+[[gnu::always_inline]] inline std::uint32_t bits_related(Numbers const& a, Numbers const& b) {
+    if constexpr (sizeof a == sizeof(__m512d)) {
+        return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
+                                  relation);
+    } else {
+        return _mm256_cmp_ps_mask(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b),
+                                  relation);
+    }
+}
+#endif
+
 /// A bit for each lane in which two numbers are equal, or the first is smaller.
 template <class Numbers>
 [[gnu::always_inline]] inline std::uint32_t bits_of_equal(Numbers const& a, Numbers const& b) {
-#ifdef __AVX512VL__ // g++ 12 would make a vector of the mask and a mask of the vector
-    if constexpr (sizeof a == sizeof(__m512d)) {
-        return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
-                                  _CMP_EQ_OQ);
-    } else {
-        return _mm256_cmp_ps_mask(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b),
-                                  _CMP_EQ_OQ);
-    }
+#ifdef __AVX512VL__
+    return bits_related<_CMP_EQ_OQ>(a, b);
 #else
     return bits_of(a == b);
 #endif
@@ -109,13 +118,7 @@ template <class Numbers>
 template <class Numbers>
 [[gnu::always_inline]] inline std::uint32_t bits_of_less(Numbers const& a, Numbers const& b) {
 #ifdef __AVX512VL__
-    if constexpr (sizeof a == sizeof(__m512d)) {
-        return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
-                                  _CMP_LT_OQ);
-    } else {
-        return _mm256_cmp_ps_mask(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b),
-                                  _CMP_LT_OQ);
-    }
+    return bits_related<_CMP_LT_OQ>(a, b);
 #else
     return bits_of(a < b);
 #endif
