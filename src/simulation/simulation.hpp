@@ -140,8 +140,8 @@ private:
         Real const distance2 = dot<Real>(separation, separation);
         Real const diameter2 = model_.diameter_squared(pair, clock_.offset);
         if (!laws_.near_contact(distance2, diameter2)) {
-            laws_.in_contact(distance2, diameter2, pair, clock_, agenda_.number(i),
-                             agenda_.number(j), tallies_);
+            auto const [lower, higher] = std::minmax({agenda_.number(i), agenda_.number(j)});
+            laws_.in_contact(distance2, diameter2, pair, clock_, lower, higher, tallies_);
         }
 
         Vector3<Real> const impulse =
