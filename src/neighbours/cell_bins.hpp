@@ -1,6 +1,7 @@
 #pragma once
 // Which balls are in which cell of a cubic lattice: book-keeping only, no physics.
 
+#include "prediction/lanes.hpp"
 #include "state/ball.hpp"
 #include "state/chained_bins.hpp"
 #include "state/glance.hpp"
@@ -23,15 +24,15 @@ class BallBuffer {
 public:
     void clear() { size_ = 0; }
     std::size_t size() const { return size_; }
-    std::int32_t const* begin() const { return balls_.data(); }
-    std::int32_t const* end() const { return balls_.data() + size_; }
+    std::int32_t const* begin() const { return balls(); }
+    std::int32_t const* end() const { return balls() + size_; }
 
     /// Where the next balls may be written, so many at most; `grow_to` then says where they end.
-    std::int32_t* room(std::size_t count) {
-        if (size_ + count > balls_.size()) grow(count);
-        return balls_.data() + size_;
+    [[gnu::always_inline]] std::int32_t* room(std::size_t count) {
+        if (size_ + count > in_piece * pieces_.size()) grow(count);
+        return pieces_.front().data() + size_;
     }
-    void grow_to(std::int32_t const* end) { size_ = static_cast<std::size_t>(end - balls_.data()); }
+    void grow_to(std::int32_t const* end) { size_ = static_cast<std::size_t>(end - balls()); }
     void grow_by(std::size_t count) { size_ += count; }
 
     /// Fills up with one ball to a multiple of `whole`, one at least.
@@ -40,14 +41,20 @@ public:
         size_ = std::max(size_ + whole - 1, whole) / whole * whole;
     }
 
-    std::size_t bytes() const { return balls_.capacity() * sizeof(std::int32_t); }
+    std::size_t bytes() const { return pieces_.capacity() * sizeof(Piece); }
 
 private:
+    /// Few blocks are written across the border of two pages of memory, which takes long: where all
+    /// lay across it, the dense half of cells was 0.92 to 0.94 times as fast.
+    static constexpr std::size_t in_piece = 128;
+    struct alignas(512) Piece : std::array<std::int32_t, in_piece> {};
+
+    std::int32_t const* balls() const { return pieces_.front().data(); }
     [[gnu::noinline, gnu::cold]] void grow(std::size_t count) {
-        balls_.resize(2 * (size_ + count));
+        pieces_.resize(2 * (size_ + count) / in_piece + 1);
     }
 
-    std::vector<std::int32_t> balls_;
+    std::vector<Piece> pieces_ = std::vector<Piece>(1);
     std::size_t size_ = 0;
 };
 
@@ -113,13 +120,26 @@ public:
 
     /// Appends the balls of a cell and of the 26 around it.
     void collect_around(Cell const& cell, BallBuffer& balls) const {
-        collect<27>(balls, [&](auto&& append) { for_each_around(cell, append); });
+        if (lies_in_row(cell)) {
+            collect<RowGatherer<places>>(balls, 27,
+                                         [&](auto&& append) { for_each_row_around(cell, append); });
+        } else {
+            collect<BlockGatherer<places>>(balls, 27,
+                                           [&](auto&& append) { for_each_around(cell, append); });
+        }
     }
 
     /// Appends the balls of the nine cells beyond one face of a cell's surroundings.
     void collect_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
                         BallBuffer& balls) const {
-        collect<9>(balls, [&](auto&& append) { for_each_beyond(cell, axis, direction, append); });
+        if (axis != 0 && lies_in_row(cell)) {
+            collect<RowGatherer<places>>(balls, 9, [&](auto&& append) {
+                for_each_row_beyond(cell, axis, direction, append);
+            });
+        } else {
+            collect<BlockGatherer<places>>(
+                balls, 9, [&](auto&& append) { for_each_beyond(cell, axis, direction, append); });
+        }
     }
 
     /// Hints to the memory: where a ball is, and what `remove` and the two above will read.
@@ -172,7 +192,6 @@ public:
 private:
     using Cells = ChainedBins<places>;
     using Block = typename Cells::Block;
-    using Whole [[gnu::vector_size(sizeof(Block))]] = std::int32_t;
 
     void fetch_bin(std::size_t bin) const { prefetch(&cells_.block(bin)); }
     template <class Item>
@@ -210,23 +229,43 @@ private:
         }
     }
 
-    /// Appends the balls of so many bins: `visit` calls what it is given for each. Blocks are
-    /// copied whole, which takes neither loop nor branch, and the part that counts is kept.
-    /// Measured at packing fraction 0.05: a seventh of all instructions saved.
-    template <std::size_t bins, class Visit> void collect(BallBuffer& balls, Visit&& visit) const {
-        std::int32_t* end = balls.room(bins * (places + 1));
-        std::int32_t all_last = -1;
+    /// Whether the bins before and behind a cell's along the first axis lie beside it in memory.
+    bool lies_in_row(Cell const& cell) const {
+        auto const x = lines(0, cell);
+        return x[2] == x[0] + 2;
+    }
+
+    /// Calls visit(bin) for the first bin of each row of three of a cell and the 26 around it.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each_row_around(Cell const& cell, Visit&& visit) const {
+        std::size_t const x = lines(0, cell)[0];
+        auto const y = lines(1, cell);
+        for (std::size_t const in_z : lines(2, cell))
+            for (std::size_t const in_y : y) visit(in_z + in_y + x);
+    }
+
+    /// And of the nine cells beyond one face across the second or third axis.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each_row_beyond(Cell const& cell, std::size_t axis,
+                                                    std::int32_t direction, Visit&& visit) const {
+        std::size_t const face = lines(axis, cell)[direction < 0 ? 0 : 2] + lines(0, cell)[0];
+        for (std::size_t const in_u : lines(3 - axis, cell)) visit(face + in_u);
+    }
+
+    /// Appends the balls of so many bins: `visit` calls what it is given for each of them or, if
+    /// rows are gathered, for the first of three. Measured at packing fraction 0.05 against a loop
+    /// over each bin: a seventh of all instructions saved.
+    template <class Gatherer, class Visit>
+    [[gnu::always_inline]] void collect(BallBuffer& balls, std::size_t bins, Visit&& visit) const {
+        Gatherer gatherer(balls.room(bins * (places + 1) + 16));
         Block const* const blocks = &cells_.block(0);
+        visit([&](std::size_t bin) { gatherer.add(blocks[bin].ball.data()); });
+        balls.grow_to(gatherer.end());
+        if (!gatherer.any_chain()) return;
         visit([&](std::size_t bin) {
-            Block const& block = blocks[bin];
-            Whole copied; // in one register
-            std::memcpy(&copied, &block, sizeof block);
-            std::memcpy(end, &copied, sizeof copied);
-            end += block.count();
-            all_last &= block.tail;
+            constexpr bool rows = std::is_same_v<Gatherer, RowGatherer<places>>;
+            for (std::size_t k = 0; k < (rows ? 3 : 1); ++k) collect_chain(bin + k, balls);
         });
-        balls.grow_to(end);
-        if (all_last >= 0) visit([&](std::size_t bin) { collect_chain(bin, balls); });
     }
 
     /// What does not fit into a bin's first block.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #ifdef __AVX512VL__
@@ -150,6 +151,71 @@ template <class Condition, class Visit>
     return to;
 #endif
 }
+
+/// Gathers the balls of blocks one after the other. A block is so many places and a tail, whose
+/// last four bits say how many places count, and whose sign says that no chain goes on behind it;
+/// else all places count. Where the balls are written there must be room for sixteen more.
+template <std::int32_t places> class BlockGatherer {
+public:
+    explicit BlockGatherer(std::int32_t* to) : end_(to) {}
+
+    std::int32_t* end() const { return end_; }
+    bool any_chain() const { return all_tails_ >= 0; }
+
+    /// Whole, which takes neither loop nor branch; the next block overwrites what does not count.
+    [[gnu::always_inline]] void add(std::int32_t const* block) {
+        using Whole [[gnu::vector_size(4 * (places + 1))]] = std::int32_t;
+        Whole copied; // in one register
+        std::memcpy(&copied, block, sizeof copied);
+        std::memcpy(end_, &copied, sizeof copied);
+        end_ += block[places] & 15;
+        all_tails_ &= block[places];
+    }
+
+private:
+    std::int32_t* end_;
+    std::int32_t all_tails_ = -1;
+};
+
+/// The same of rows of three blocks that lie beside each other in memory.
+template <std::int32_t places> class RowGatherer : public BlockGatherer<places> {
+public:
+    using BlockGatherer<places>::BlockGatherer;
+
+    [[gnu::always_inline]] void add(std::int32_t const* blocks) {
+        for (std::int32_t k = 0; k < 3; ++k) BlockGatherer<places>::add(blocks + k * (places + 1));
+    }
+};
+
+#ifdef __AVX512VL__
+/// In one register: 1.03 to 1.04 times as fast at packing fraction 0.05, 1.05 to 1.09 at 0.20.
+template <> class RowGatherer<3> {
+public:
+    explicit RowGatherer(std::int32_t* to) : end_(to) {}
+
+    std::int32_t* end() const { return end_; }
+    bool any_chain() const { return (_mm512_movepi32_mask(all_tails_) & twelve) != twelve; }
+
+    [[gnu::always_inline]] void add(std::int32_t const* blocks) {
+        // A tail is -16 and the count, or not negative: above what stands here for a place, then.
+        constexpr std::int32_t no = std::numeric_limits<std::int32_t>::max();
+        __m512i const below = _mm512_setr_epi32(-16, -15, -14, no, -16, -15, -14, no, //
+                                                -16, -15, -14, no, no, no, no, no);
+        __m512i const balls = _mm512_maskz_loadu_epi32(twelve, blocks);
+        __m512i const tails = _mm512_shuffle_epi32(balls, _MM_PERM_DDDD);
+        __mmask16 const counts = _mm512_cmplt_epi32_mask(below, tails);
+        _mm512_storeu_si512(end_, _mm512_maskz_compress_epi32(counts, balls));
+        end_ += std::popcount(static_cast<std::uint32_t>(counts));
+        all_tails_ = _mm512_and_epi32(all_tails_, tails);
+    }
+
+private:
+    static constexpr __mmask16 twelve = 0x0fff;
+
+    std::int32_t* end_;
+    __m512i all_tails_ = _mm512_set1_epi32(-1);
+};
+#endif
 
 /// The records of so many balls, turned: one vector a component.
 template <class Real> struct BallLanes { Lanes<Real> x, y, z, time, vx, vy, vz, note; };
