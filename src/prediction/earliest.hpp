@@ -40,8 +40,8 @@ struct Unbounded {
 /// The earliest contact of two balls through the nearest image and the 26 around it. Each
 /// separation is rounded once, so that it is the same whichever image is nearest.
 template <class Real, class Container, class Model>
-Real contact_time_of_images(Scenery<Real, Container, Model> const& scenery, Ball<Real> const& i,
-                            Ball<Real> const& j, Real now) {
+[[gnu::noinline]] Real contact_time_of_images(Scenery<Real, Container, Model> const& scenery,
+                                              Ball<Real> const& i, Ball<Real> const& j, Real now) {
     Container const& cube = scenery.cube;
     Pair<Real> const direct = pair_of(i, j, Unbounded{}, now);
     auto const through = [&](Real r, Real v, int image) {
@@ -86,8 +86,9 @@ bool comes_first(Scenery<Real, Container, Model> const& scenery, Real time, std:
 /// One candidate after the other: what many at a time must agree with to the last bit, and what
 /// the types without a vector unit use.
 template <class Real, class Container, class Model>
-Contact<Real> earliest_one_by_one(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
-                                  std::span<std::int32_t const> candidates, Real now) {
+[[gnu::noinline]] Contact<Real>
+earliest_one_by_one(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                    std::span<std::int32_t const> candidates, Real now) {
     Contact<Real> best;
     for (std::int32_t const j : candidates) {
         if (j == i) continue;

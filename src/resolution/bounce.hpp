@@ -19,7 +19,7 @@ template <class Real> Real fused(Real a, Real b, Real c) {
 }
 
 /// What dot(r, r) lost to rounding.
-template <class Real> Real square_rest(Vector3<Real> const& r) {
+template <class Real> [[gnu::always_inline]] inline Real square_rest(Vector3<Real> const& r) {
     Real const xx = r[0] * r[0], yy = r[1] * r[1], zz = r[2] * r[2];
     auto const lost = [](Real a, Real b) { // by a + b: D. E. Knuth's two-sum
         Real const sum = a + b, second = sum - a;

@@ -150,7 +150,7 @@ private:
     }
 
     /// From the first event on. Nothing is freed, since another thread may be looking.
-    void file_all_anew(NextEvents<Real> const& next) {
+    [[gnu::noinline, gnu::cold]] void file_all_anew(NextEvents<Real> const& next) {
         Real first = infinity<Real>;
         for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball)
             first = std::min(first, next[ball].time());

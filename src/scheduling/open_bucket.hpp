@@ -84,11 +84,7 @@ public:
                 return balls_[first_];
             }
         }
-        for (; !heap_.empty(); drop_top()) {
-            Ranked const& top = heap_.front();
-            if (holds(next, top)) return top.ball;
-        }
-        return no_event;
+        return heap_.empty() ? no_event : earliest_in_heap(next);
     }
 
     std::size_t bytes() const {
@@ -178,7 +174,7 @@ private:
 
     /// Where events change again and again before they come, those that no longer hold must not
     /// fill the memory.
-    void insert_in_heap(NextEvents<Real> const& next, std::int32_t ball) {
+    [[gnu::noinline]] void insert_in_heap(NextEvents<Real> const& next, std::int32_t ball) {
         if (heap_.size() >= std::max(2 * next.size(), row_max)) {
             std::erase_if(heap_, [&](Ranked const& event) { return !holds(next, event); });
             std::make_heap(heap_.begin(), heap_.end(), later_first);
@@ -186,11 +182,18 @@ private:
         heap_.push_back({next[ball].time(), ball, next.rank(ball)});
         std::push_heap(heap_.begin(), heap_.end(), later_first);
     }
-    void make_heap_with(NextEvents<Real> const& next, std::int32_t ball) {
+    [[gnu::noinline]] void make_heap_with(NextEvents<Real> const& next, std::int32_t ball) {
         for (std::size_t place = first_; place < end_; ++place)
             if (holds(next, place)) insert_in_heap(next, balls_[place]);
         clear_row();
         insert_in_heap(next, ball);
+    }
+    [[gnu::noinline]] std::int32_t earliest_in_heap(NextEvents<Real> const& next) {
+        for (; !heap_.empty(); drop_top()) {
+            Ranked const& top = heap_.front();
+            if (holds(next, top)) return top.ball;
+        }
+        return no_event;
     }
     void drop_top() {
         std::pop_heap(heap_.begin(), heap_.end(), later_first);
@@ -198,7 +201,7 @@ private:
     }
 
     /// Of the events at the time of the first one.
-    std::int32_t first_of_equals(NextEvents<Real> const& next) const {
+    [[gnu::noinline]] std::int32_t first_of_equals(NextEvents<Real> const& next) const {
         std::int32_t first = no_event;
         for (std::size_t k = first_; times_[k] == times_[first_] && k < end_; ++k) {
             if (holds(next, k) && (first == no_event || next.precedes(balls_[k], first)))

@@ -27,10 +27,10 @@ public:
     /// Time never runs backwards, and does not stand still for ever: balls wedged between their
     /// neighbours collide without end at one moment.
     void time_goes_on(Clock<Real> const& clock, Real time) {
-        if (time > clock.offset) {
-            standstill_ = 0;
-            return;
-        }
+        if (!(time > clock.offset)) return time_stands_still(clock, time);
+        standstill_ = 0;
+    }
+    [[gnu::noinline]] void time_stands_still(Clock<Real> const& clock, Real time) {
         if (time < clock.offset) {
             throw LawBroken(fmt::format("time ran backwards by {:.3g} at t = {:.17g}",
                                         static_cast<double>(clock.offset - time), clock.time()));
@@ -51,9 +51,9 @@ public:
     }
 
     /// Two balls that collide are a diameter apart, to the rounding of places and times.
-    void in_contact(Real distance2, Real diameter2, Pair<Real> const& pair,
-                    Clock<Real> const& clock, std::int32_t i, std::int32_t j,
-                    Tallies const& tallies) const {
+    [[gnu::noinline]] void in_contact(Real distance2, Real diameter2, Pair<Real> const& pair,
+                                      Clock<Real> const& clock, std::int32_t i, std::int32_t j,
+                                      Tallies const& tallies) const {
         using std::abs;
         using std::sqrt;
         Real const off = distance2 - diameter2;

@@ -44,34 +44,16 @@ public:
     }
 
     void insert(std::size_t bin, std::int32_t ball) {
-        while (blocks_[bin].count() == places) {
-            if (blocks_[bin].is_last()) {
-                std::int32_t const fresh = take_block();
-                blocks_[bin].go_on_at(fresh);
-            }
-            bin = static_cast<std::size_t>(blocks_[bin].more());
-        }
+        if (blocks_[bin].count() == places) return insert_in_chain(bin, ball);
         blocks_[bin].add(ball);
     }
 
     /// The last ball of the chain takes the place that becomes free.
     void remove(std::size_t bin, std::int32_t ball) {
-        std::size_t last = bin, before = bin, found = bin;
-        std::size_t place = find(blocks_[bin], ball);
-        while (!blocks_[last].is_last()) {
-            before = last;
-            last = static_cast<std::size_t>(blocks_[last].more());
-            if (place == static_cast<std::size_t>(blocks_[found].count())) {
-                found = last;
-                place = find(blocks_[last], ball);
-            }
-        }
-        Block& end = blocks_[last];
-        blocks_[found].ball[place] = end.ball[static_cast<std::size_t>(--end.tail & 15)];
-        if (end.count() == 0 && last != before) {
-            blocks_[before].go_on_at(end_of_chain);
-            give_back(static_cast<std::int32_t>(last));
-        }
+        Block& block = blocks_[bin];
+        if (!block.is_last()) return remove_from_chain(bin, ball);
+        std::size_t const place = find(block, ball);
+        block.ball[place] = block.ball[static_cast<std::size_t>(--block.tail & 15)];
     }
 
     /// Empties a bin, block by block, into visit(balls, count). What is visited may be inserted
@@ -117,6 +99,36 @@ private:
             found ^= (found ^ place) & (0 - here);
         }
         return found;
+    }
+
+    [[gnu::noinline]] void insert_in_chain(std::size_t bin, std::int32_t ball) {
+        while (blocks_[bin].count() == places) {
+            if (blocks_[bin].is_last()) {
+                std::int32_t const fresh = take_block();
+                blocks_[bin].go_on_at(fresh);
+            }
+            bin = static_cast<std::size_t>(blocks_[bin].more());
+        }
+        blocks_[bin].add(ball);
+    }
+
+    [[gnu::noinline]] void remove_from_chain(std::size_t bin, std::int32_t ball) {
+        std::size_t last = bin, before = bin, found = bin;
+        std::size_t place = find(blocks_[bin], ball);
+        while (!blocks_[last].is_last()) {
+            before = last;
+            last = static_cast<std::size_t>(blocks_[last].more());
+            if (place == static_cast<std::size_t>(blocks_[found].count())) {
+                found = last;
+                place = find(blocks_[last], ball);
+            }
+        }
+        Block& end = blocks_[last];
+        blocks_[found].ball[place] = end.ball[static_cast<std::size_t>(--end.tail & 15)];
+        if (end.count() == 0 && last != before) {
+            blocks_[before].go_on_at(end_of_chain);
+            give_back(static_cast<std::int32_t>(last));
+        }
     }
 
     std::int32_t take_block() {

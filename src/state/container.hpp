@@ -42,7 +42,7 @@ template <class Real> struct PeriodicCube {
     Real extent() const { return side; }
 
     /// How many sides away the nearest image is, for one component of a separation.
-    template <class Number> Number image(Number distance) const {
+    template <class Number> [[gnu::always_inline]] Number image(Number distance) const {
         return nearest_integer<Number, Real>(distance * inverse_side);
     }
 
