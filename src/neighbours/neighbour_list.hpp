@@ -2,11 +2,11 @@
 // Each ball's own list of balls near it, good until it leaves the shell around the list's centre.
 
 #include "neighbours/cell_grid.hpp"
+#include "neighbours/shell.hpp"
 #include "prediction/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace clack {
@@ -17,22 +17,12 @@ namespace clack {
 template <class Real, class Container> class NeighbourList {
 public:
     NeighbourList(System const& system, Container const& cube)
-        : cube_(cube), radius2_(shell_radius(system) * shell_radius(system)),
-          wide_diameter_(system.diameter), wide_side_(system.side),
-          wide_inverse_side_(1 / system.side),
-          reach_(static_cast<float>(reach(system) / system.diameter)),
-          diameter_(static_cast<Real>(system.diameter)), per_diameter_(1 / diameter_),
-          side_(static_cast<float>(system.side / system.diameter)), inverse_side_(1 / side_),
-          lattice_(system, cube, reach(system), balls_per_cell, periodic_min),
-          bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
-          centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))) {
-        widen(first_width);
-    }
+        : NeighbourList(system, cube, Shell(system)) {}
 
     /// Whether a periodic cube is wide enough for the nearest image to be the only one in reach.
     static bool fits(System const& system) {
         return system.boundary == Boundary::walls ||
-               system.side > (periodic_min + 0.1) * reach(system);
+               system.side > (periodic_min + 0.1) * Shell(system).reach;
     }
 
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
@@ -159,20 +149,16 @@ private:
     static constexpr int periodic_min = 4; // with 3, a ball would be found through two images
     static constexpr std::size_t first_width = line_balls;
 
-    /// Thick shells make long lists, thin ones many rebuilds. Measured at packing fractions 0.35 to
-    /// 0.54 with 7 to 21 balls: best where a list just about fills a line.
-    static double shell_radius(System const& system) {
-        constexpr double listed = 14; // balls, on average
-        double const reach = std::cbrt(listed * 3 / (4 * std::numbers::pi * density(system)));
-        return system.diameter * std::clamp((reach - 1) / 2, 0.15, 0.6);
-    }
-    static double density(System const& system) { // per cubic diameter
-        return system.packing_fraction() * 6 / std::numbers::pi;
-    }
-    static double reach(System const& system) {
-        // Of the float that the centres are compared in.
-        double const rounding = 64 * 0x1p-24 * (system.diameter + system.side);
-        return system.diameter + 2 * shell_radius(system) + rounding;
+    NeighbourList(System const& system, Container const& cube, Shell const& shell)
+        : cube_(cube), radius2_(shell.radius * shell.radius), wide_diameter_(system.diameter),
+          wide_side_(system.side), wide_inverse_side_(1 / system.side),
+          reach_(static_cast<float>(shell.reach / system.diameter)),
+          diameter_(static_cast<Real>(system.diameter)), per_diameter_(1 / diameter_),
+          side_(static_cast<float>(system.side / system.diameter)), inverse_side_(1 / side_),
+          lattice_(system, cube, shell.reach, balls_per_cell, periodic_min),
+          bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
+          centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))) {
+        widen(first_width);
     }
 
     std::int32_t* row(std::int32_t ball) {

@@ -1,16 +1,12 @@
 #pragma once
 // The event loop: from one event to the next, exactly.
 
-#include "neighbours/neighbour_search.hpp"
-#include "prediction/earliest.hpp"
 #include "resolution/collision.hpp"
-#include "resolution/elastic_balls.hpp"
-#include "scheduling/agenda.hpp"
 #include "simulation/engine.hpp"
 #include "simulation/laws.hpp"
 #include "simulation/look_ahead.hpp"
+#include "simulation/outlook.hpp"
 #include "simulation/scout.hpp"
-#include "state/ball_state.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -28,7 +24,9 @@ struct NoObserver {};
 template <class Real, template <class> class Container, template <class, class> class Search,
           template <class> class Queue, template <class> class Model = ElasticBalls>
 requires NeighbourSearch<Search<Real, Container<Real>>, Real> && EventQueue<Queue<Real>, Real>
-class Simulation {
+class Simulation : private Outlook<Real, Container, Search, Queue, Model> {
+    using Base = Outlook<Real, Container, Search, Queue, Model>;
+
 public:
     using Number = Real;
 
@@ -36,14 +34,9 @@ public:
     explicit Simulation(BallState<Real, Container<Real>>&& state)
         : Simulation(std::move(state), Model<Real>(state.system)) {}
     Simulation(BallState<Real, Container<Real>>&& state, Model<Real> model)
-        : state_(std::move(state)), model_(std::move(model)), agenda_(state_.numbers),
-          search_(model_.as_searched(state_.system), state_.cube),
-          laws_(state_.system, state_.clock.length),
-          several_images_(touches_through_several_images(state_.system)) {
+        : Base(std::move(state), std::move(model)), laws_(state_.system, state_.clock.length) {
         rebuild();
     }
-    Simulation(Simulation const&) = delete; // the indexes refer to the state beside them
-    Simulation& operator=(Simulation const&) = delete;
 
     /// The event loop. Events come in their total order; what an event is depends on the records
     /// alone, so any search and any queue go the same way to the last bit.
@@ -98,17 +91,14 @@ public:
     std::size_t bytes() const { return state_.bytes() + agenda_.bytes() + search_.bytes(); }
 
 private:
-    static constexpr bool periodic = Container<Real>::boundary == Boundary::periodic;
+    using Base::agenda_, Base::clock_, Base::model_, Base::search_, Base::state_, Base::periodic;
+    using Base::predict, Base::predict_both, Base::rebuild, Base::refresh, Base::sweep;
+
     static constexpr bool can_look_ahead =
         LookAhead::possible<Search<Real, Container<Real>>, Queue<Real>>;
 
     using Lookout =
         Scout<BallState<Real, Container<Real>>, Real, Search<Real, Container<Real>>, Queue<Real>>;
-
-    auto scenery() const {
-        return Scenery<Real, Container<Real>, Model<Real>>{state_.balls, state_.numbers,
-                                                           state_.cube, model_, several_images_};
-    }
 
     // --- one event
 
@@ -201,96 +191,6 @@ private:
         if constexpr (Queue<Real>::staleness == Staleness::swept) sweep(ball, ball);
     }
 
-    /// The search's own event: new candidates for a ball that flies on. The collision that it has
-    /// found stays unless one of them comes first.
-    void refresh(std::int32_t ball) {
-        auto const fresh = search_.refresh(state_.balls, ball, clock_.offset);
-        Contact<Real> const found =
-            earliest_contact(scenery(), ball, fresh, clock_.offset, agenda_[ball].contact);
-        agenda_[ball].expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
-        bool const first =
-            found.ball != no_ball && agenda_.contact_precedes(found.time, ball, found.ball);
-        // Only news is told: the partner may have changed course since the old contact was found.
-        if (!first) return agenda_.file_expiry(ball);
-        agenda_.set_contact(ball, found.time, found.ball);
-        file(ball);
-        tell_partner(ball);
-    }
-
-    // --- prediction
-
-    /// The next event of one ball from all its candidates and the walls.
-    NextEvent<Real> next_event(std::int32_t ball) {
-        return next_event(
-            ball, earliest_contact(scenery(), ball, search_.candidates(ball), clock_.offset));
-    }
-    NextEvent<Real> next_event(std::int32_t ball, Contact<Real> const& found) {
-        NextEvent<Real> event{found.time, infinity<Real>, found.ball};
-        if constexpr (!periodic) {
-            WallContact<Real> const wall = model_.wall_contact(state_[ball], state_.cube);
-            if (wall.time < event.contact) {
-                event.contact = wall.time;
-                event.partner = wall_partner(wall.wall);
-            }
-        }
-        event.expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
-        return event;
-    }
-
-    void predict(std::int32_t ball) {
-        agenda_[ball] = next_event(ball);
-        file(ball);
-        tell_partner(ball);
-    }
-
-    /// Two balls that have collided.
-    void predict_both(std::int32_t i, std::int32_t j) {
-        auto const [found_i, found_j] = contacts_of_both(i, j);
-        for (std::int32_t const ball : {found_i.ball, found_j.ball}) // they will be told
-            prefetch(&agenda_[std::max(ball, 0)]);
-        agenda_[i] = next_event(i, found_i);
-        file(i); // a queue hears of one change at a time
-        agenda_[j] = next_event(j, found_j);
-        file(j);
-        tell_partner(i);
-        tell_partner(j);
-    }
-
-    std::pair<Contact<Real>, Contact<Real>> contacts_of_both(std::int32_t i, std::int32_t j) {
-        if constexpr (requires { search_.candidates_of_both(i, j); }) {
-            auto const [around_i, around_j] = search_.candidates_of_both(i, j);
-            return earliest_contacts(scenery(), i, around_i, j, around_j, clock_.offset);
-        } else {
-            auto const of = [&](std::int32_t ball) {
-                return earliest_contact(scenery(), ball, search_.candidates(ball), clock_.offset);
-            };
-            return {of(i), of(j)};
-        }
-    }
-
-    /// Tells the queue, and the predictions of other balls, of a ball's next event.
-    void file(std::int32_t ball) {
-        note(ball, agenda_[ball].contact);
-        agenda_.file(ball);
-    }
-    void tell_partner(std::int32_t ball) {
-        if (agenda_.tell_partner(ball)) note(agenda_[ball].partner, agenda_[ball].contact);
-    }
-
-    /// For the predictions of other balls: when this one will touch something, as far as is known.
-    void note(std::int32_t ball, Real contact) {
-        if constexpr (heeds_notes<Model<Real>>) state_[ball].note = contact;
-    }
-
-    /// The report's second update: balls that were going to hit one of the two look again.
-    void sweep(std::int32_t i, std::int32_t j) {
-        for (std::int32_t ball = 0; ball < state_.count(); ++ball) {
-            Partner const partner = agenda_[ball].partner;
-            if ((partner == i || partner == j) && ball != i && ball != j && !agenda_.mutual(ball))
-                predict(ball);
-        }
-    }
-
     // --- indexes
 
     void begin_epoch() {
@@ -301,18 +201,6 @@ private:
         if constexpr (Model<Real>::keeps_energy)
             laws_.energy_is_kept(state_.kinetic_energy(), clock_, tallies_);
         rebuild();
-    }
-
-    /// At any moment: what comes does not depend on it.
-    void rebuild() {
-        state_.put_in_memory_order();
-        search_.rebuild(state_.balls, clock_.offset);
-        for (std::int32_t ball = 0; ball < state_.count(); ++ball) note(ball, infinity<Real>);
-        for (std::int32_t ball = 0; ball < state_.count(); ++ball) {
-            agenda_[ball] = next_event(ball);
-            note(ball, agenda_[ball].contact);
-        }
-        agenda_.rebuild(clock_.offset);
     }
 
     /// While nobody looks on.
@@ -338,14 +226,8 @@ private:
                 impulse};
     }
 
-    BallState<Real, Container<Real>> state_;
-    Clock<Real>& clock_ = state_.clock;
     Tallies& tallies_ = state_.tallies;
-    Model<Real> model_;
-    Agenda<Real, Queue<Real>> agenda_;
-    Search<Real, Container<Real>> search_;
     Laws<Real> laws_;
-    bool several_images_;
     std::unique_ptr<Lookout> scout_; // the last one: it reads the others
 };
 
