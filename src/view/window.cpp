@@ -161,6 +161,7 @@ private:
         if (prepared_.valid()) {
             if (prepared_.wait_for(preparation) == std::future_status::timeout) return false;
             auto prepared = prepared_.get();
+            preparation_ = Clock::now() - begun_;
             if (is_outdated()) return false;
             canvases_.begin(std::move(prepared), under_way_.chosen.size, under_way_.fineness);
             if (canvases_.seconds_so_far() > budget.count() / 2) return false; // made a canvas
@@ -177,7 +178,7 @@ private:
             return false;
         }
         if (!canvases_.go_on(budget)) return false;
-        fineness_.took(under_way_.fineness, canvases_.seconds_of_last());
+        fineness_.took(under_way_.fineness, preparation_.count() + canvases_.seconds_of_last());
         whole_ = under_way_;
         return true;
     }
@@ -195,6 +196,7 @@ private:
 
     /// Colours and order of many balls take a moment, in which the window is to answer.
     void prepare() {
+        begun_ = Clock::now();
         auto look = session_.look;
         look.flash_wait = flash_wait(*session_.shown);
         session_.player.want_news(); // while this picture is drawn
@@ -203,12 +205,14 @@ private:
         auto const policy = session_.shown->frame.system.count <= few_balls ? std::launch::deferred
                                                                             : std::launch::async;
         prepared_ = std::async(policy, [this, look, is_draft = under_way_.fineness <= coarsest,
+                                        most = fineness_.balls_of_draft(),
                                         samples = finer(size, under_way_.fineness),
                                         shown = session_.shown, camera = session_.camera] {
             Frame const& frame = shown->frame;
             auto picture =
-                is_draft ? picture_of(frame, look, balls_of_draft(frame, look.cut, camera.eye()))
-                         : picture_of(frame, look);
+                is_draft
+                    ? picture_of(frame, look, balls_of_draft(frame, look.cut, camera.eye(), most))
+                    : picture_of(frame, look);
             return order_.prepare(std::move(picture), camera, samples);
         });
         if (policy == std::launch::deferred) prepared_.wait();
@@ -274,6 +278,8 @@ private:
     Answers answers_;
     std::uint64_t answered_ = 0; // of what was asked
     Clock::time_point composed_;
+    Clock::time_point begun_; // the picture under way
+    Seconds preparation_{0};  // of it
     double deafness_ = 0;
     std::string save_to_;
 };

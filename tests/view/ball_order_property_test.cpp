@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_draft_has_the_nearest_balls_and_some_of_the_others) {
     auto const distance = [&](Eigen::Index ball) {
         return ((many.snapshot.positions.col(ball) / 100).cast<float>() - camera.eye()).norm();
     };
-    auto const draft = balls_of_draft(many, Cut{}, camera.eye());
+    auto const draft = balls_of_draft(many, Cut{}, camera.eye(), 20'000);
     BOOST_TEST(draft.size() > 15'000u);
     BOOST_TEST(draft.size() < 25'000u);
     constexpr Eigen::Index near = 9'900; // equally far ones about the last may be either
@@ -127,11 +127,11 @@ BOOST_AUTO_TEST_CASE(a_draft_has_the_nearest_balls_and_some_of_the_others) {
     auto const hidden = [&](Eigen::Index ball) {
         return cut.hides((many.snapshot.positions.col(ball) / 100).cast<float>());
     };
-    auto const opened = balls_of_draft(many, cut, camera.eye());
+    auto const opened = balls_of_draft(many, cut, camera.eye(), 20'000);
     BOOST_TEST(opened.size() > 15'000u);
     BOOST_TEST(std::none_of(opened.begin(), opened.end(), hidden));
     many.system.count = 20'000;
-    BOOST_TEST(balls_of_draft(many, Cut{}, camera.eye()).size() == 20'000u);
+    BOOST_TEST(balls_of_draft(many, Cut{}, camera.eye(), 20'000).size() == 20'000u);
 }
 
 BOOST_AUTO_TEST_CASE(small_balls_are_dots) {
@@ -186,6 +186,25 @@ BOOST_AUTO_TEST_CASE(pictures_that_take_long_are_coarser_at_a_hand_s_touch) {
     for (int k = 0; k < 3; ++k) fineness.took(fineness.for_hand(), 0.002);
     BOOST_TEST(fineness.for_hand() == finest);
     BOOST_TEST(fineness.for_time() == finest);
+}
+
+BOOST_AUTO_TEST_CASE(drafts_that_take_long_have_fewer_balls) {
+    Fineness fineness;
+    fineness.took(1, 0.03);
+    BOOST_TEST(fineness.balls_of_draft() == 20'000u); // a coarser picture comes first
+    fineness.took(coarsest, 0.03);
+    BOOST_TEST(fineness.balls_of_draft() == 10'000u);
+    fineness.took(coarsest, 0.012);
+    BOOST_TEST(fineness.balls_of_draft() == 10'000u);
+    for (int k = 0; k < 5; ++k) fineness.took(coarsest, 0.03);
+    BOOST_TEST(fineness.balls_of_draft() == 2'500u);
+    for (int k = 0; k < 3; ++k) {
+        BOOST_TEST(fineness.for_hand() == coarsest);
+        fineness.took(coarsest, 0.002);
+    }
+    BOOST_TEST(fineness.balls_of_draft() == 20'000u);
+    fineness.took(coarsest, 0.002);
+    BOOST_TEST(fineness.for_hand() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(an_answer_is_the_wait_for_the_picture_that_shows_it) {
