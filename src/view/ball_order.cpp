@@ -103,7 +103,8 @@ void BallOrder::cover(Disc const& disc) {
     });
 }
 
-VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, PixelSize size) {
+VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, PixelSize size,
+                                std::stop_token const& stop) {
     auto const eye = camera.eye();
     Eigen::Matrix4f const projection = camera.projection(size);
     auto const height = static_cast<float>(size.height), width = static_cast<float>(size.width);
@@ -114,6 +115,7 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
     clear_screen(scale / camera.distance(), size);
     VisibleBalls visible;
     for (auto const i : order_) {
+        if (stop.stop_requested()) break;
         DrawnBall const& ball = picture.balls[i];
         if (picture.cut.hides(place_of(ball))) continue;
         Eigen::Vector4f const projected = projection * place_of(ball).homogeneous();
@@ -134,9 +136,10 @@ VisibleBalls BallOrder::visible(Picture const& picture, Camera const& camera, Pi
     return visible;
 }
 
-Prepared BallOrder::prepare(Picture picture, Camera const& camera, PixelSize size) {
+Prepared BallOrder::prepare(Picture picture, Camera const& camera, PixelSize size,
+                            std::stop_token const& stop) {
     Prepared prepared{std::move(picture), camera, {}};
-    prepared.visible = visible(prepared.picture, camera, size);
+    if (!stop.stop_requested()) prepared.visible = visible(prepared.picture, camera, size, stop);
     prepared.picture.balls = {};
     return prepared;
 }

@@ -9,6 +9,7 @@
 #include "view/camera.hpp"
 #include "view/picture.hpp"
 
+#include <stop_token>
 #include <vector>
 
 namespace clack::view {
@@ -28,8 +29,11 @@ struct Prepared {
 /// Leaves out what is outside the picture, cut away, or hidden behind nearer balls.
 class BallOrder {
 public:
-    VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size);
-    Prepared prepare(Picture picture, Camera const& camera, PixelSize size);
+    VisibleBalls visible(Picture const& picture, Camera const& camera, PixelSize size,
+                         std::stop_token const& stop = {});
+    /// Of a picture that nobody waits for any more, no more balls than there are by then.
+    Prepared prepare(Picture picture, Camera const& camera, PixelSize size,
+                     std::stop_token const& stop = {});
 
     /// Radius below which a ball is a dot  [pixels]
     static constexpr float dot_radius = 3;

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <future>
 #include <optional>
+#include <stop_token>
 #include <utility>
 
 #ifdef __GLIBC__
@@ -159,10 +160,11 @@ private:
         constexpr Seconds budget(0.012), preparation(0.004), at_rest(0.15);
         if (canvases_.is_drawing() && is_outdated()) canvases_.leave();
         if (prepared_.valid()) {
+            if (is_outdated()) unwanted_.request_stop();
             if (prepared_.wait_for(preparation) == std::future_status::timeout) return false;
             auto prepared = prepared_.get();
             preparation_ = Clock::now() - begun_;
-            if (is_outdated()) return false;
+            if (unwanted_.stop_requested()) return draw_balls(); // another one, at once
             canvases_.begin(std::move(prepared), under_way_.chosen.size, under_way_.fineness);
             if (canvases_.seconds_so_far() > budget.count() / 2) return false; // made a canvas
         } else if (!canvases_.is_drawing()) {
@@ -197,6 +199,7 @@ private:
     /// Colours and order of many balls take a moment, in which the window is to answer.
     void prepare() {
         begun_ = Clock::now();
+        unwanted_ = std::stop_source();
         auto look = session_.look;
         look.flash_wait = flash_wait(*session_.shown);
         session_.player.want_news(); // while this picture is drawn
@@ -204,17 +207,18 @@ private:
         session_.camera.fit(size, overhang(session_.shown->frame.system));
         auto const policy = session_.shown->frame.system.count <= few_balls ? std::launch::deferred
                                                                             : std::launch::async;
-        prepared_ = std::async(policy, [this, look, is_draft = under_way_.fineness <= coarsest,
-                                        most = fineness_.balls_of_draft(),
-                                        samples = finer(size, under_way_.fineness),
-                                        shown = session_.shown, camera = session_.camera] {
-            Frame const& frame = shown->frame;
-            auto picture =
-                is_draft
-                    ? picture_of(frame, look, balls_of_draft(frame, look.cut, camera.eye(), most))
-                    : picture_of(frame, look);
-            return order_.prepare(std::move(picture), camera, samples);
-        });
+        prepared_ =
+            std::async(policy, [this, look, is_draft = under_way_.fineness <= coarsest,
+                                most = fineness_.balls_of_draft(), unwanted = unwanted_.get_token(),
+                                samples = finer(size, under_way_.fineness), shown = session_.shown,
+                                camera = session_.camera] {
+                Frame const& frame = shown->frame;
+                auto picture = is_draft
+                                   ? picture_of(frame, look,
+                                                balls_of_draft(frame, look.cut, camera.eye(), most))
+                                   : picture_of(frame, look);
+                return order_.prepare(std::move(picture), camera, samples, unwanted);
+            });
         if (policy == std::launch::deferred) prepared_.wait();
     }
 
@@ -242,8 +246,11 @@ private:
     /// somebody is at it.
     bool is_panel_due(Clock::time_point now) const {
         constexpr Seconds pause(0.1), pause_in_use(0.03), grace(0.06);
-        // A picture that answers, and brings the panel with it, goes first.
-        if (is_drawing() && answers(under_way_) && now - answers_.latest() < grace) return false;
+        // A picture that answers, and brings the panel with it, goes first; so does one that stands
+        // in its way.
+        if (is_drawing() && (answers(under_way_) || is_outdated()) &&
+            now - answers_.latest() < grace)
+            return false;
         bool const in_use = window_.was_touched() || is_asked();
         return is_saving() || now - composed_ > (in_use ? pause_in_use : pause);
     }
@@ -280,6 +287,7 @@ private:
     Clock::time_point composed_;
     Clock::time_point begun_; // the picture under way
     Seconds preparation_{0};  // of it
+    std::stop_source unwanted_;
     double deafness_ = 0;
     std::string save_to_;
 };
