@@ -29,8 +29,10 @@ template <class Real> struct ElasticBalls : SteadyDiameter<Real> {
     }
 
     /// Changes the two velocities; returns the momentum per unit mass given to j.
-    [[gnu::always_inline]] Vector3<Real> collide(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
-                          Vector3<Real> const& separation, std::uint64_t /*collision*/) const {
+    [[gnu::always_inline]] Vector3<Real> collide(Vector3<Real>& velocity_i,
+                                                 Vector3<Real>& velocity_j,
+                                                 Vector3<Real> const& separation,
+                                                 std::uint64_t /*collision*/) const {
         return exchange_normal_velocities(velocity_i, velocity_j, separation);
     }
 
