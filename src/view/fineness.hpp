@@ -17,8 +17,8 @@ public:
 
     std::size_t balls_of_draft() const { return balls_of_draft_; }
 
-    /// A picture, from where its balls were chosen until it was drawn. When the coarsest is slow,
-    /// drafts have fewer balls; when it is quick, first they have more again.
+    /// A picture, to choose its balls and to draw them. When the coarsest is slow, drafts have
+    /// fewer balls; when it is quick, first they have more again.
     void took(float fineness, double seconds) {
         constexpr double quick = 0.005, slow = 0.020; // [s]
         if (fineness <= in_motion_ && seconds > slow) {

@@ -163,7 +163,6 @@ private:
             if (is_outdated()) unwanted_.request_stop();
             if (prepared_.wait_for(preparation) == std::future_status::timeout) return false;
             auto prepared = prepared_.get();
-            preparation_ = Clock::now() - begun_;
             if (unwanted_.stop_requested()) return draw_balls(); // another one, at once
             canvases_.begin(std::move(prepared), under_way_.chosen.size, under_way_.fineness);
             if (canvases_.seconds_so_far() > budget.count() / 2) return false; // made a canvas
@@ -198,7 +197,6 @@ private:
 
     /// Colours and order of many balls take a moment, in which the window is to answer.
     void prepare() {
-        begun_ = Clock::now();
         unwanted_ = std::stop_source();
         auto look = session_.look;
         look.flash_wait = flash_wait(*session_.shown);
@@ -212,12 +210,15 @@ private:
                                 most = fineness_.balls_of_draft(), unwanted = unwanted_.get_token(),
                                 samples = finer(size, under_way_.fineness), shown = session_.shown,
                                 camera = session_.camera] {
+                auto const begin = Clock::now();
                 Frame const& frame = shown->frame;
                 auto picture = is_draft
                                    ? picture_of(frame, look,
                                                 balls_of_draft(frame, look.cut, camera.eye(), most))
                                    : picture_of(frame, look);
-                return order_.prepare(std::move(picture), camera, samples, unwanted);
+                auto prepared = order_.prepare(std::move(picture), camera, samples, unwanted);
+                preparation_ = Clock::now() - begin;
+                return prepared;
             });
         if (policy == std::launch::deferred) prepared_.wait();
     }
@@ -285,8 +286,7 @@ private:
     Answers answers_;
     std::uint64_t answered_ = 0; // of what was asked
     Clock::time_point composed_;
-    Clock::time_point begun_; // the picture under way
-    Seconds preparation_{0};  // of it
+    Seconds preparation_{0}; // of the picture under way
     std::stop_source unwanted_;
     double deafness_ = 0;
     std::string save_to_;
