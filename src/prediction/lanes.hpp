@@ -183,7 +183,8 @@ public:
     using BlockGatherer<places>::BlockGatherer;
 
     [[gnu::always_inline]] void add(std::int32_t const* blocks) {
-        for (std::int32_t k = 0; k < 3; ++k) BlockGatherer<places>::add(blocks + k * (places + 1));
+        for (std::ptrdiff_t k = 0; k < 3; ++k)
+            BlockGatherer<places>::add(blocks + k * (places + 1));
     }
 };
 
