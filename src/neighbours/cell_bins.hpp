@@ -45,8 +45,8 @@ public:
     std::size_t bytes() const { return pieces_.capacity() * sizeof(Piece); }
 
 private:
-    /// Few blocks are written across the border of two pages of memory, which takes long: where all
-    /// lay across it, the dense half of cells was 0.92 to 0.94 times as fast.
+    /// So aligned that few blocks are written across the border of two pages of memory: where the
+    /// first few always were, cells at packing fraction 0.20 were 0.94 to 0.97 times as fast.
     static constexpr std::size_t in_piece = 128;
     struct alignas(512) Piece : std::array<std::int32_t, in_piece> {};
 

@@ -247,8 +247,7 @@ private:
     /// somebody is at it.
     bool is_panel_due(Clock::time_point now) const {
         constexpr Seconds pause(0.1), pause_in_use(0.03), grace(0.06);
-        // A picture that answers, and brings the panel with it, goes first; so does one that stands
-        // in its way.
+        // First comes a picture that answers and brings the panel with it, or stands in its way.
         if (is_drawing() && (answers(under_way_) || is_outdated()) &&
             now - answers_.latest() < grace)
             return false;

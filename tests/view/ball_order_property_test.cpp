@@ -188,6 +188,25 @@ BOOST_AUTO_TEST_CASE(pictures_that_take_long_are_coarser_at_a_hand_s_touch) {
     BOOST_TEST(fineness.for_time() == finest);
 }
 
+BOOST_AUTO_TEST_CASE(a_picture_that_nobody_waits_for_is_left) {
+    Picture picture;
+    picture.radius = 0.01f;
+    picture.balls = {{0.5f, 0.5f, 0.5f, {}, 0}};
+    Camera camera;
+    camera.fit({640, 480});
+    auto const balls = [](VisibleBalls const& visible) {
+        return visible.near.size() + visible.dots.size();
+    };
+    std::stop_source unwanted;
+    auto const token = unwanted.get_token();
+    BallOrder order;
+    BOOST_TEST(balls(order.visible(picture, camera, {640, 480}, token)) == 1u);
+    BOOST_TEST(balls(order.prepare(picture, camera, {640, 480}, token).visible) == 1u);
+    unwanted.request_stop();
+    BOOST_TEST(balls(order.visible(picture, camera, {640, 480}, token)) == 0u);
+    BOOST_TEST(balls(order.prepare(picture, camera, {640, 480}, token).visible) == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(drafts_that_take_long_have_fewer_balls) {
     Fineness fineness;
     fineness.took(1, 0.03);
