@@ -24,22 +24,13 @@ Question const question{
 
 namespace {
 
-constexpr std::size_t kinds = 6; // of comparisons at a point
-
-/// Measured compressibility factor of infinitely many balls: the theory's difference between these
-/// and N is taken off.
-Estimate infinite(StatePoint const& point, Comparison const& virial) {
-    double const more = point.expected_of_infinitely_many() - virial.reference;
-    return {virial.measured.value + more, virial.measured.error};
-}
-
 std::string table_of(std::vector<StatePoint> const& points, Ledger const& ledger) {
     std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k < points.size(); ++k) {
         Entry const* const at = &ledger.entries()[kinds * k];
         std::vector<std::string> row{
             fmt::format("{:.2f}", points[k].packing_fraction), cell(points[k].count),
-            with_error(infinite(points[k], at->comparison)),
+            with_error(infinite(points[k], by_rate_at(k, ledger))),
             fmt::format("{:.5f}", points[k].expected_of_infinitely_many())};
         for (std::size_t kind = 0; kind < 3; ++kind)
             row.push_back(fmt::format("${:+.1f}$", at[kind].z));
@@ -66,19 +57,25 @@ Csv infinite_fluid(std::vector<StatePoint> const& points, Ledger const& ledger) 
     Csv csv({"packing_fraction", "Z", "Z_error", "Z_theory", "Z_carnahan_starling"});
     for (std::size_t k = 0; k < points.size(); ++k) {
         double const eta = points[k].packing_fraction;
-        csv.row(eta, infinite(points[k], ledger.entries()[kinds * k].comparison),
-                reference::modified_klm(eta), reference::carnahan_starling(eta));
+        csv.row(eta, infinite(points[k], by_rate_at(k, ledger)), reference::modified_klm(eta),
+                reference::carnahan_starling(eta));
     }
     return csv;
 }
 
 Macros macros_of(std::vector<StatePoint> const& points, double const collisions,
                  Ledger const& ledger, Profile const profile) {
-    double largest = 0; // in margins, which are parts of Zc
+    double largest = 0;         // deviation, in margins, which are parts of Zc
+    double least_precision = 0; // 95 % error as a part of Z, where the full profile is for the best
     for (Entry const& entry : ledger.entries()) {
         Comparison const& c = entry.comparison;
         if (entry.quantity.name == "virial" || entry.quantity.name == "rate")
             largest = std::max(largest, std::abs(c.measured.value - c.reference) / c.margin);
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        Estimate const z = by_rate_at(k, ledger);
+        if (precision(points[k].number_density()) == precision(0.5))
+            least_precision = std::max(least_precision, half_width(z, 0.95) / z.value);
     }
     Macros macros("EquationOfState");
     macros.define("PackingFractions", cell(points.size()));
@@ -86,6 +83,7 @@ Macros macros_of(std::vector<StatePoint> const& points, double const collisions,
     macros.define("LowestPacking", fmt::format("{:.2f}", points.front().packing_fraction));
     macros.define("HighestPacking", fmt::format("{:.2f}", points.back().packing_fraction));
     macros.define("LargestDeviationPercent", significant(100 * margin(profile) * largest, 2));
+    macros.define("LeastPrecision", significant(least_precision, 2));
     macros.define("MarginPercent", significant(100 * margin(profile), 1));
     macros.define("ContactMarginPercent", significant(100 * contact_margin(profile), 1));
     return macros;
