@@ -143,7 +143,8 @@ public:
         }
     }
 
-    /// Hints to the memory: where a ball is, and what `remove` and the two above will read.
+    /// Hints to the memory: where a ball is, and what `remove`, the two above, and `insert` into
+    /// the cell that a face lies before will read.
     void fetch(std::int32_t ball) const { prefetch(cell_of_.data() + ball); }
     void fetch_own(std::int32_t ball) const { fetch_bin(index(glance_at(ball))); }
     void fetch_around(Cell const& cell) const {
@@ -151,19 +152,7 @@ public:
     }
     void fetch_beyond(Cell const& cell, std::size_t axis, std::int32_t direction) const {
         for_each_beyond(cell, axis, direction, [&](std::size_t bin) { fetch_bin(bin); });
-    }
-
-    /// And what the candidates' entries in an array are: of each cell the first two, without a
-    /// branch. Where there are fewer it is the ball's own.
-    template <class Item>
-    void fetch_items_around(Cell const& cell, Item const* items, std::int32_t own) const {
-        for_each_around(cell, [&](std::size_t bin) { fetch_items(bin, items, own); });
-    }
-    template <class Item>
-    void fetch_items_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
-                            Item const* items, std::int32_t own) const {
-        for_each_beyond(cell, axis, direction,
-                        [&](std::size_t bin) { fetch_items(bin, items, own); });
+        fetch_bin(index(cell));
     }
 
     /// For a thread that only looks at what another may be changing: the cell of a ball, and what
@@ -195,13 +184,6 @@ private:
     using Block = typename Cells::Block;
 
     void fetch_bin(std::size_t bin) const { prefetch(&cells_.block(bin)); }
-    template <class Item>
-    void fetch_items(std::size_t bin, Item const* items, std::int32_t own) const {
-        Block const& block = cells_.block(bin);
-        prefetch(items + (block.count() > 0 ? block.ball[0] : own));
-        prefetch(items + (block.count() > 1 ? block.ball[1] : own));
-    }
-
     /// Calls visit(bin) for a cell and the 26 around it.
     template <class Visit>
     [[gnu::always_inline]] void for_each_around(Cell const& cell, Visit&& visit) const {

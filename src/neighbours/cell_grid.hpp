@@ -159,8 +159,13 @@ public:
         return lattice_.per_side > coarsest_ && crossings_ > 64 * bins_.ball_count();
     }
 
-    /// Hints to the memory: a ball's own entries, and what `candidates` and `refresh` will read.
+    /// Hints to the memory: a ball's own entries, and what `candidates` will read at a time that is
+    /// to come, or would read around the cell in which the ball was last, and `refresh`.
     void fetch(std::int32_t ball) const { bins_.fetch(ball); }
+    void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball,
+                          Real time) const {
+        bins_.fetch_around(cell_at(balls, ball, time));
+    }
     void fetch_candidates(std::vector<Ball<Real>> const&, std::int32_t ball) const {
         bins_.fetch_around(bins_.glance_at(ball));
     }
@@ -170,14 +175,18 @@ public:
         bins_.fetch_beyond(crossing.to, crossing.axis, crossing.direction);
     }
 
-    /// And the records of the balls that those two will find.
-    void fetch_records(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        bins_.fetch_items_around(bins_.cell_of(ball), balls.data(), ball);
+    /// And the records of the balls that those two will find. They are gathered for it: a look into
+    /// each cell for whether it holds one costs twice as much, since that cannot be foretold.
+    void fetch_records(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real time) {
+        found_.clear();
+        bins_.collect_around(cell_at(balls, ball, time), found_);
+        fetch_records_of_found(balls);
     }
-    void fetch_fresh_records(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+    void fetch_fresh_records(std::vector<Ball<Real>> const& balls, std::int32_t ball) {
         Crossing const crossing = crossing_of(balls, ball);
-        bins_.fetch_items_beyond(crossing.to, crossing.axis, crossing.direction, balls.data(),
-                                 ball);
+        found_.clear();
+        bins_.collect_beyond(crossing.to, crossing.axis, crossing.direction, found_);
+        fetch_records_of_found(balls);
     }
 
     /// The balls that `candidates` and `refresh` would find, for a thread that only looks.
@@ -240,11 +249,19 @@ private:
         if constexpr (Container::boundary == Boundary::periodic)
             stray_ = std::min(stray_, 0.99 * (0.25 * cells - 1) * cell_side_);
         bins_.clear();
-        for (std::size_t i = 0; i < balls.size(); ++i) {
-            Vector3<Real> place = balls[i].position(now);
-            cube_.wrap(place);
-            bins_.insert(static_cast<std::int32_t>(i), lattice_.cell_at(place));
-        }
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(balls.size()); ++i)
+            bins_.insert(i, cell_at(balls, i, now));
+    }
+
+    /// Where a ball is, or will be if it meets nothing.
+    Cell cell_at(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real time) const {
+        Vector3<Real> place = balls[static_cast<std::size_t>(ball)].position(time);
+        cube_.wrap(place);
+        return lattice_.cell_at(place);
+    }
+
+    void fetch_records_of_found(std::vector<Ball<Real>> const& balls) const {
+        for (std::int32_t const other : found_) prefetch(balls.data() + other);
     }
 
     /// Whether a ball has many candidates, as a sample of them tells.

@@ -88,11 +88,13 @@ public:
 
     /// Hints to the memory: a ball's own entries, and what follows `candidates` and `refresh`.
     void fetch(std::int32_t ball) const {
-        prefetch(row(ball));
+        for (std::size_t place = 0; place < width_; place += line_balls)
+            prefetch(row(ball) + place);
         prefetch(centre_.data() + ball);
         bins_.fetch(ball);
     }
-    void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
+    void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball,
+                          Real = {}) const {
         glance_at_candidates(balls, ball,
                              [&](std::int32_t other) { prefetch(balls.data() + other); });
     }

@@ -5,16 +5,20 @@
 #include "state/ball_state.hpp"
 #include "state/prefetch.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace clack {
 
 /// Each thing is asked for when that which leads to it has come: six events ahead the records of
-/// the balls and their entries in the search, four ahead what the search will then read, and, where
-/// cells are searched among very many balls, one ahead the records of what it will find.
+/// the balls, their entries in the search and what whom they meet has planned, four ahead what the
+/// search will then read, and, where cells are searched among many balls, one ahead the records of
+/// what it will find.
 /// Measured at 256 000 balls, packing fractions 0.05, 0.20 and 0.49: 1.15, 1.1 and 1.3 times as
-/// fast, and the records of what is found 1.25 and 1.07 times on top; these cost more than they
-/// bring below some 150 000 balls (0.6 to 0.95), where they are in a cache of some kind already.
+/// fast; with the partners' plans 1.07, 1.04 and 1.1 on top, with the cells of the place and the
+/// time to come 1.08 and 1.04, with the records of what is found 1.45 and 1.3. These bring 1.3 and
+/// 1.07 among 64 000 balls, and cost more than they bring among 32 000 (0.85), where they are in a
+/// cache of some kind already.
 struct LookAhead {
     template <class Search, class Queue>
     static constexpr bool possible = requires(Search search, Queue queue) {
@@ -23,33 +27,39 @@ struct LookAhead {
     };
 
     template <class State, class Real, class Search, class Queue>
-    static void look(State const& state, NextEvents<Real> const& next, Search const& search,
+    static void look(State const& state, NextEvents<Real> const& next, Search& search,
                      Queue const& queue) {
-        for_balls_of(queue.upcoming(6), next, [&](std::int32_t ball) {
+        std::int32_t const sixth = queue.upcoming(6);
+        for_balls_of(sixth, next, [&](std::int32_t ball, Real) {
             prefetch(&state[ball]);
             search.fetch(ball);
         });
+        if (sixth != no_event) prefetch(&next[std::max(next[sixth].partner, 0)]);
         for_tasks_of(
             queue.upcoming(4), next,
-            [&](std::int32_t ball) { search.fetch_candidates(state.balls, ball); },
+            [&](std::int32_t ball, Real time) { search.fetch_candidates(state.balls, ball, time); },
             [&](std::int32_t ball) { search.fetch_for_refresh(state.balls, ball); });
-        if constexpr (requires { search.fetch_records(state.balls, 0); }) {
+        if constexpr (requires { search.fetch_records(state.balls, 0, Real(0)); }) {
             if (state.count() < records_from) return;
             for_tasks_of(
                 queue.upcoming(1), next,
-                [&](std::int32_t ball) { search.fetch_records(state.balls, ball); },
+                [&](std::int32_t ball, Real time) {
+                    search.fetch_records(state.balls, ball, time);
+                },
                 [&](std::int32_t ball) { search.fetch_fresh_records(state.balls, ball); });
         }
     }
 
 private:
-    static constexpr std::int32_t records_from = 180'000; // balls
+    static constexpr std::int32_t records_from = 48'000; // balls
 
+    /// Calls task(ball, time) for a ball and, where it collides, for the other one.
     template <class Real, class Task>
     static void for_balls_of(std::int32_t ball, NextEvents<Real> const& next, Task const& task) {
         if (ball == no_event) return;
-        task(ball);
-        if (next.kind(ball) == EventKind::ball) task(next[ball].partner);
+        Real const time = next[ball].time();
+        task(ball, time);
+        if (next.kind(ball) == EventKind::ball) task(next[ball].partner, time);
     }
 
     /// What the event of a ball asks for: all candidates of one or two balls, or fresh ones.
