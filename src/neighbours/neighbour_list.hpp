@@ -1,7 +1,9 @@
 #pragma once
 // Each ball's own list of balls near it, good until it leaves the shell around the list's centre.
 
-#include "neighbours/cell_grid.hpp"
+#include "neighbours/cell_bins.hpp"
+#include "neighbours/cell_lattice.hpp"
+#include "neighbours/neighbour_search.hpp"
 #include "neighbours/shell.hpp"
 #include "prediction/lanes.hpp"
 
@@ -95,8 +97,8 @@ public:
     }
     void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                           Real = {}) const {
-        glance_at_candidates(balls, ball,
-                             [&](std::int32_t other) { prefetch(balls.data() + other); });
+        auto const fetch_record = [&](std::int32_t other) { prefetch(balls.data() + other); };
+        glance_at_candidates(balls, ball, fetch_record);
     }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
         bins_.fetch_around(bins_.glance_at(ball));
@@ -149,7 +151,6 @@ private:
 
     static constexpr double balls_per_cell = 0.7;
     static constexpr int periodic_min = 4; // with 3, a ball would be found through two images
-    static constexpr std::size_t first_width = line_balls;
 
     NeighbourList(System const& system, Container const& cube, Shell const& shell)
         : cube_(cube), radius2_(shell.radius * shell.radius), wide_diameter_(system.diameter),
@@ -160,7 +161,7 @@ private:
           lattice_(system, cube, shell.reach, balls_per_cell, periodic_min),
           bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
           centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))) {
-        widen(first_width);
+        widen(line_balls);
     }
 
     std::int32_t* row(std::int32_t ball) {

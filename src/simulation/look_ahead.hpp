@@ -39,14 +39,9 @@ struct LookAhead {
             queue.upcoming(4), next,
             [&](std::int32_t ball, Real time) { search.fetch_candidates(state.balls, ball, time); },
             [&](std::int32_t ball) { search.fetch_for_refresh(state.balls, ball); });
-        if constexpr (requires { search.fetch_records(state.balls, 0, Real(0)); }) {
-            if (state.count() < records_from) return;
-            for_tasks_of(
-                queue.upcoming(1), next,
-                [&](std::int32_t ball, Real time) {
-                    search.fetch_records(state.balls, ball, time);
-                },
-                [&](std::int32_t ball) { search.fetch_fresh_records(state.balls, ball); });
+        if constexpr (requires { search.fetch_fresh_records(state.balls, 0); }) {
+            if (state.count() >= records_from)
+                fetch_records(state.balls, next, search, queue.upcoming(1));
         }
     }
 
@@ -68,6 +63,21 @@ private:
                              Fresh const& fresh) {
         if (ball == no_event) return;
         next.kind(ball) == EventKind::expiry ? fresh(ball) : for_balls_of(ball, next, all);
+    }
+
+    template <class Balls, class Real, class Search>
+    static void fetch_records(Balls const& balls, NextEvents<Real> const& next, Search& search,
+                              std::int32_t ball) {
+        if (ball == no_event) return;
+        NextEvent<Real> const& event = next[ball];
+        switch (next.kind(ball)) {
+        case EventKind::expiry:
+            return search.fetch_fresh_records(balls, ball);
+        case EventKind::ball:
+            return search.fetch_records(balls, ball, event.partner, event.time());
+        case EventKind::wall:
+            return search.fetch_records(balls, ball, event.time());
+        }
     }
 };
 

@@ -1,5 +1,6 @@
 #include "simulation/model_choice.hpp"
 
+#include "neighbours/cell_grid.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "state/container.hpp"
 
