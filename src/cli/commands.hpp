@@ -22,7 +22,6 @@ struct RunSettings {
     Progress progress = Progress::shown;
     ShowHash hash = ShowHash::no;
     Form form = Form::text;
-    int threads = 1; // or 2
 };
 
 struct RunOptions : RunSettings {

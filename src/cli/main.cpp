@@ -43,14 +43,6 @@ void add_run_options(CLI::App& command, RunSettings& options) {
         "the hash of the collision sequence in the summary");
     command.add_flag_callback(
         "--json", [&] { options.form = Form::json; }, "the summary as one JSON object");
-    command
-        .add_option(
-            "--threads", options.threads,
-            fmt::format("1, or 2: a second one reads ahead in memory, to the same bits; for "
-                        "{} balls and more",
-                        reading_ahead_pays_from))
-        ->type_name("N")
-        ->check(CLI::Range(1, 2));
 }
 
 void add_run(CLI::App& app, std::function<int()>& chosen, RunOptions& options) {

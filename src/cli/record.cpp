@@ -32,15 +32,6 @@ void print_summary(Summary const& summary, Form form, ShowHash hash) {
     if (std::fflush(stdout) != 0) throw WriteError("standard output: cannot be written");
 }
 
-void use_threads(Engine& engine, int threads) {
-    if (threads > 1 && engine.system().count >= reading_ahead_pays_from) engine.read_ahead();
-    if (engine.threads() >= threads) return;
-    fmt::print(stderr,
-               "clack: --threads {}: one thread runs this; the second one reads ahead in memory, "
-               "for the calendar's {} balls and more, in float or double\n",
-               threads, reading_ahead_pays_from);
-}
-
 int record(Scene const& scene, RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,
            std::string const& output) {
     auto const end = [&] {

@@ -15,9 +15,6 @@ TrajectoryHeader header_of(Scene const& scene, Engine const& engine);
 
 void print_summary(Summary const& summary, Form form, ShowHash hash);
 
-/// So many threads, or a line on standard error why there will be one.
-void use_threads(Engine& engine, int threads);
-
 /// Runs to the goal, or until a signal, and closes the file. Says how to go on after a signal.
 /// Returns the exit code. A broken law is told with the seed and the file that replay it.
 int record(Scene const& scene, RecordedRun& run, TrajectoryWriter& writer, ProgressLine& line,

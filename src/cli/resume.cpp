@@ -90,7 +90,6 @@ int resume_command(ResumeOptions const& options) {
     auto point = file->resume_point();
     auto samples = file->samples(point.samples);
     auto const engine = make_engine(scene.system, scene.method, scene.precision, point.engine);
-    use_threads(*engine, options.threads);
 
     Schedule const schedule(scene);
     bool const over = is_over(schedule, point.phase, *engine, scene, path);

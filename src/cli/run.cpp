@@ -30,7 +30,6 @@ int run_command(RunOptions const& options) {
     require_memory(scene);
     require_writable(output);
     auto const engine = start_engine(scene);
-    use_threads(*engine, options.threads);
 
     auto const header = header_of(scene, *engine);
     defer_interrupts();

@@ -74,7 +74,6 @@ Summary summarize(Scene const& scene, Engine const& engine, std::vector<Sample> 
     summary.precision = model.precision;
     summary.search = model.search;
     summary.queue = model.queue;
-    summary.threads = engine.threads();
     summary.temperature = temperature(system, engine.kinetic_energy(), engine.momentum());
     summary.compressibility_factor = compressibility_factor(system, summary.temperature, samples);
     summary.wall_pressure = wall_pressure(system, samples);
@@ -99,9 +98,8 @@ std::string as_text(Summary const& summary, ShowHash hash) {
                                    summary.wall_collisions));
     line("speed", fmt::format("{:.3g} collisions per CPU second ({:.3g} s)",
                               summary.collisions_per_cpu_second, summary.cpu_seconds));
-    line("model", fmt::format("{}, {}, {}, {:.0f} bytes a ball{}", summary.search, summary.queue,
-                              summary.precision, summary.bytes_per_ball,
-                              summary.threads > 1 ? ", a second thread reads ahead" : ""));
+    line("model", fmt::format("{}, {}, {}, {:.0f} bytes a ball", summary.search, summary.queue,
+                              summary.precision, summary.bytes_per_ball));
     line("temperature", fmt::format("{:.10g}", summary.temperature));
     line("Z by the virial", text_of(summary.compressibility_factor.virial));
     if (summary.wall_pressure) {
@@ -130,7 +128,6 @@ std::string as_json(Summary const& summary) {
               {"search", summary.search},
               {"queue", summary.queue},
               {"precision", summary.precision},
-              {"threads", summary.threads},
               {"compressibility_factor", factor},
               {"wall_pressure", json_of(summary.wall_pressure)},
               {"temperature", summary.temperature},

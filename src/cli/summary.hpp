@@ -20,7 +20,6 @@ struct Summary {
     double collisions_per_cpu_second = 0;
     double bytes_per_ball = 0;
     std::string method, precision, search, queue;
-    int threads = 1;
     CompressibilityFactor compressibility_factor;
     std::optional<Estimate> wall_pressure;
     double temperature = 0;

@@ -4,7 +4,6 @@
 #include "prediction/lanes.hpp"
 #include "state/ball.hpp"
 #include "state/chained_bins.hpp"
-#include "state/glance.hpp"
 #include "state/huge_pages.hpp"
 #include "state/prefetch.hpp"
 #include "state/system.hpp"
@@ -146,29 +145,13 @@ public:
     /// Hints to the memory: where a ball is, and what `remove`, the two above, and `insert` into
     /// the cell that a face lies before will read.
     void fetch(std::int32_t ball) const { prefetch(cell_of_.data() + ball); }
-    void fetch_own(std::int32_t ball) const { fetch_bin(index(glance_at(ball))); }
+    void fetch_own(std::int32_t ball) const { fetch_bin(index(cell_of(ball))); }
     void fetch_around(Cell const& cell) const {
         for_each_around(cell, [&](std::size_t bin) { fetch_bin(bin); });
     }
     void fetch_beyond(Cell const& cell, std::size_t axis, std::int32_t direction) const {
         for_each_beyond(cell, axis, direction, [&](std::size_t bin) { fetch_bin(bin); });
         fetch_bin(index(cell));
-    }
-
-    /// For a thread that only looks at what another may be changing: the cell of a ball, and what
-    /// the two above would append, as far as it is in the cells' first blocks, to visit(ball).
-    Cell glance_at(std::int32_t ball) const {
-        Cell const& cell = cell_of(ball);
-        return {glance(cell[0]), glance(cell[1]), glance(cell[2]), glance(cell[3])};
-    }
-    template <class Visit> void glance_around(Cell const& cell, Visit&& visit) const {
-        for_each_around(cell, [&](std::size_t bin) { cells_.glance_at(bin, visit); });
-    }
-    template <class Visit>
-    void glance_beyond(Cell const& cell, std::size_t axis, std::int32_t direction,
-                       Visit&& visit) const {
-        for_each_beyond(cell, axis, direction,
-                        [&](std::size_t bin) { cells_.glance_at(bin, visit); });
     }
 
     /// The next cell along an axis, through the boundary where it is periodic.

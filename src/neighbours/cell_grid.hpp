@@ -113,18 +113,15 @@ public:
         return lattice_.per_side > coarsest_ && crossings_ > 64 * bins_.ball_count();
     }
 
-    /// Hints to the memory: a ball's own entries, and what `candidates` will read at a time that is
-    /// to come, or would read around the cell in which the ball was last, and `refresh`.
+    /// Hints to the memory: a ball's own entries, and what `candidates`, at a time that is to come,
+    /// and `refresh` will read.
     void fetch(std::int32_t ball) const { bins_.fetch(ball); }
     void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                           Real time) const {
         bins_.fetch_around(cell_at(balls, ball, time));
     }
-    void fetch_candidates(std::vector<Ball<Real>> const&, std::int32_t ball) const {
-        bins_.fetch_around(bins_.glance_at(ball));
-    }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        Crossing const crossing = glance_at_crossing(balls, ball);
+        Crossing const crossing = crossing_of(balls, ball);
         bins_.fetch_own(ball);
         bins_.fetch_beyond(crossing.to, crossing.axis, crossing.direction);
     }
@@ -155,19 +152,6 @@ public:
         fetch_records_of_found(balls);
     }
 
-    /// The balls that `candidates` and `refresh` would find, for a thread that only looks.
-    template <class Visit>
-    void glance_at_candidates(std::vector<Ball<Real>> const&, std::int32_t ball,
-                              Visit&& visit) const {
-        bins_.glance_around(bins_.glance_at(ball), visit);
-    }
-    template <class Visit>
-    void glance_at_fresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
-                         Visit&& visit) const {
-        Crossing const crossing = glance_at_crossing(balls, ball);
-        bins_.glance_beyond(crossing.to, crossing.axis, crossing.direction, visit);
-    }
-
     std::size_t bytes() const { return bins_.bytes() + found_.bytes() + also_found_.bytes(); }
 
 private:
@@ -180,28 +164,18 @@ private:
     static constexpr double balls_per_cell = 0.6;
 
     struct Crossing {
-        std::size_t axis;
-        std::int32_t direction;
-        Cell to;
+        std::size_t axis = 0;
+        std::int32_t direction = 0;
+        Cell to{};
     };
     Crossing crossing_of(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        Cell const& cell = bins_.cell_of(ball);
-        return crossing(cell, component(balls, ball, cell[3]));
-    }
-    /// The same of what another thread may be changing.
-    Crossing glance_at_crossing(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        Cell const cell = bins_.glance_at(ball);
-        return crossing(cell, glance(component(balls, ball, cell[3])));
-    }
-    Crossing crossing(Cell const& from, Real velocity) const {
-        auto const axis = static_cast<std::size_t>(from[3]);
-        Crossing crossing{axis, velocity > 0 ? 1 : -1, from};
-        crossing.to[axis] = bins_.next(crossing.to[axis], crossing.direction);
+        Crossing crossing{.to = bins_.cell_of(ball)};
+        crossing.axis = static_cast<std::size_t>(crossing.to[3]);
+        Real const velocity =
+            balls[static_cast<std::size_t>(ball)].velocity[static_cast<int>(crossing.axis)];
+        crossing.direction = velocity > 0 ? 1 : -1;
+        crossing.to[crossing.axis] = bins_.next(crossing.to[crossing.axis], crossing.direction);
         return crossing;
-    }
-    static Real const& component(std::vector<Ball<Real>> const& balls, std::int32_t ball,
-                                 std::int32_t axis) {
-        return balls[static_cast<std::size_t>(ball)].velocity[axis];
     }
 
     void cut_into(std::int32_t cells, std::vector<Ball<Real>> const& balls, Real now) {

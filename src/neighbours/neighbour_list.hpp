@@ -33,10 +33,8 @@ public:
             centre_[i] = centre_at(balls[i].position(now));
             bins_.insert(static_cast<std::int32_t>(i), lattice_.cell_at(place_of(centre_[i])));
         }
-        for (std::int32_t i = 0; i < static_cast<std::int32_t>(balls.size()); ++i) {
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(balls.size()); ++i)
             write(i, near(i));
-            outgrown_.clear(); // nobody looks on
-        }
     }
 
     /// A list holds as long as its ball is in its shell, wherever it flies.
@@ -95,41 +93,21 @@ public:
         prefetch(centre_.data() + ball);
         bins_.fetch(ball);
     }
-    void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball,
-                          Real = {}) const {
-        auto const fetch_record = [&](std::int32_t other) { prefetch(balls.data() + other); };
-        glance_at_candidates(balls, ball, fetch_record);
+    void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real) const {
+        for_each_in_first_line(ball, [&](std::int32_t other) { prefetch(balls.data() + other); });
     }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
-        bins_.fetch_around(bins_.glance_at(ball));
-        glance_at_candidates(balls, ball, [&](std::int32_t other) {
+        bins_.fetch_around(bins_.cell_of(ball));
+        for_each_in_first_line(ball, [&](std::int32_t other) {
             prefetch(balls.data() + other);
             prefetch(row(other));
             prefetch(centre_.data() + other);
         });
     }
 
-    /// The balls that `candidates` would find in a list's first line, for a thread that only looks.
-    template <class Visit>
-    void glance_at_candidates(std::vector<Ball<Real>> const&, std::int32_t ball,
-                              Visit&& visit) const {
-        // Whoever sees the new width sees the rows that have it.
-        std::size_t const width = __atomic_load_n(&width_, __ATOMIC_ACQUIRE);
-        std::int32_t const* const list =
-            list_.front().data() + static_cast<std::size_t>(ball) * width;
-        for (std::size_t k = 0; k < line_balls; ++k) visit(glance(list[k]));
-    }
-    template <class Visit>
-    void glance_at_fresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
-                         Visit&& visit) const {
-        glance_at_candidates(balls, ball, visit); // most of the new ones are old ones
-    }
-
     std::size_t bytes() const {
-        std::size_t lines = list_.capacity();
-        for (auto const& old : outgrown_) lines += old.capacity();
-        return bins_.bytes() + centre_.capacity() * sizeof(Centre) + lines * sizeof(Line) +
-               found_.bytes() + near_.bytes() + added_.bytes();
+        return bins_.bytes() + centre_.capacity() * sizeof(Centre) +
+               list_.capacity() * sizeof(Line) + found_.bytes() + near_.bytes() + added_.bytes();
     }
 
 private:
@@ -169,6 +147,11 @@ private:
     }
     std::int32_t const* row(std::int32_t ball) const {
         return list_.front().data() + static_cast<std::size_t>(ball) * width_;
+    }
+
+    /// Most lists have no second one.
+    template <class Visit> void for_each_in_first_line(std::int32_t ball, Visit&& visit) const {
+        for (std::size_t k = 0; k < line_balls; ++k) visit(row(ball)[k]);
     }
 
     Centre centre_at(Vector3<Real> place) const {
@@ -280,9 +263,8 @@ private:
             std::fill_n(to, width, static_cast<std::int32_t>(i));
             if (!list_.empty()) std::copy_n(row(static_cast<std::int32_t>(i)), width_, to);
         }
-        list_.swap(wider);
-        __atomic_store_n(&width_, width, __ATOMIC_RELEASE);
-        outgrown_.push_back(std::move(wider));
+        list_ = std::move(wider);
+        width_ = width;
     }
 
     Container cube_;
@@ -296,8 +278,7 @@ private:
     std::vector<Centre> centre_;
     std::vector<Line> list_; // one row of width_ balls each
     std::size_t width_ = 0;
-    std::vector<std::vector<Line>> outgrown_; // rows that another thread may still be looking at
-    BallBuffer found_, near_, added_;         // reused
+    BallBuffer found_, near_, added_; // reused
 };
 
 } // namespace clack

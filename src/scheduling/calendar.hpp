@@ -65,13 +65,6 @@ public:
         return static_cast<std::int64_t>(index < far ? index : far);
     }
 
-    /// For a thread that only looks: the bucket that is open, and the balls that are filed under a
-    /// later one, to visit(ball).
-    std::int64_t open_bucket() const { return glance(open_); }
-    void fetch_bucket(std::int64_t bucket) const { prefetch(&ring_.block(slot_of(bucket))); }
-    template <class Visit> void glance_at(std::int64_t bucket, Visit&& visit) const {
-        ring_.glance_at(slot_of(bucket), visit);
-    }
     std::size_t bytes() const { return ring_.bytes() + bucket_.bytes(); }
 
 private:
@@ -149,15 +142,13 @@ private:
         return !bucket_.empty();
     }
 
-    /// From the first event on. Nothing is freed, since another thread may be looking.
+    /// From the first event on.
     [[gnu::noinline, gnu::cold]] void file_all_anew(NextEvents<Real> const& next) {
         Real first = infinity<Real>;
         for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball)
             first = std::min(first, next[ball].time());
         if (first == infinity<Real>) return;
-        for (std::int64_t bucket = 0; bucket <= mask_; ++bucket)
-            ring_.drain(slot_of(bucket), [](std::int32_t const*, std::size_t) {});
-        file_all(next, first);
+        rebuild(next, first);
     }
 
     void open(NextEvents<Real> const& next) {

@@ -45,9 +45,6 @@ struct ModelDescription {
     std::string boundary, search, queue, precision, reason;
 };
 
-/// From so many balls on a second thread that reads ahead in memory is of use.
-constexpr std::int64_t reading_ahead_pays_from = 65'536;
-
 /// Equal hard balls in a cube, moved exactly from collision to collision.
 /// Every call leaves the engine between two events. Throws LawBroken when a law of nature is
 /// broken (overlap beyond rounding, jammed balls, energy lost).
@@ -62,11 +59,6 @@ public:
     virtual void start_clock() = 0;
     /// From now on each collision enters `hash()`.
     virtual void hash_collisions() = 0;
-
-    /// From now on a second thread reads ahead in memory: the same bits, sooner. All stays as it
-    /// was where there is no calendar to read, or a type longer than double.
-    virtual void read_ahead() = 0;
-    virtual int threads() const = 0; // that a run keeps busy
 
     virtual double time() const = 0; // since time 0, rounded to double
     virtual Tallies const& tallies() const = 0;

@@ -29,8 +29,6 @@ public:
     void hash_collisions() override {
         if (!hash_) hash_.emplace();
     }
-    void read_ahead() override { simulation_.read_ahead(); }
-    int threads() const override { return simulation_.threads(); }
     void resume_hash(std::uint64_t hash) { hash_ = SequenceHash(hash); }
 
     double time() const override { return state().clock.time(); }

@@ -6,11 +6,9 @@
 #include "simulation/laws.hpp"
 #include "simulation/look_ahead.hpp"
 #include "simulation/outlook.hpp"
-#include "simulation/scout.hpp"
 
 #include <algorithm>
 #include <concepts>
-#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -41,7 +39,6 @@ public:
     /// The event loop. Events come in their total order; what an event is depends on the records
     /// alone, so any search and any queue go the same way to the last bit.
     template <class Observer> Stop advance(Goal const& goal, Observer&& observe) {
-        typename Lookout::Watch const watch(scout_.get());
         Clock<Real> const until = moment<Real>(goal.time, clock_.length);
         for (std::uint64_t events = 0;; ++events) {
             if (tallies_.ball_collisions >= goal.ball_collisions) return Stop::collisions;
@@ -55,28 +52,18 @@ public:
             }
             if (!(time < static_cast<Real>(clock_.length))) {
                 if (ball == no_event && goal.time == infinity<double>) return Stop::never;
-                alone([&] { begin_epoch(); });
+                begin_epoch();
                 continue;
             }
             if constexpr (can_look_ahead) {
                 if (agenda_.queue().looks_ahead())
                     LookAhead::look(state_, agenda_, search_, agenda_.queue());
             }
-            if (scout_) scout_->event_comes();
             laws_.time_goes_on(clock_, time);
             clock_.offset = time;
             take(ball, observe);
         }
     }
-
-    /// From now on a second thread reads ahead, where that is possible.
-    void read_ahead() {
-        if constexpr (Lookout::possible) {
-            if (!scout_)
-                scout_ = std::make_unique<Lookout>(state_, agenda_, search_, agenda_.queue());
-        }
-    }
-    int threads() const { return scout_ ? 2 : 1; }
 
     /// Makes the present moment time 0 and forgets what was counted.
     void start_clock() {
@@ -97,9 +84,6 @@ private:
     static constexpr bool can_look_ahead =
         LookAhead::possible<Search<Real, Container<Real>>, Queue<Real>>;
 
-    using Lookout =
-        Scout<BallState<Real, Container<Real>>, Real, Search<Real, Container<Real>>, Queue<Real>>;
-
     // --- one event
 
     template <class Observer> void take(std::int32_t ball, Observer& observe) {
@@ -107,7 +91,7 @@ private:
         case EventKind::expiry:
             refresh(ball);
             if constexpr (requires { search_.wants_rebuild(); })
-                if (search_.wants_rebuild()) alone([&] { rebuild(); });
+                if (search_.wants_rebuild()) rebuild();
             break;
         case EventKind::wall:
             bounce(ball, wall_of(agenda_[ball].partner), observe);
@@ -203,13 +187,6 @@ private:
         rebuild();
     }
 
-    /// While nobody looks on.
-    template <class Task> void alone(Task&& task) {
-        if (scout_) scout_->halt();
-        task();
-        if (scout_) scout_->go();
-    }
-
     Collision<Real> collision(CollisionKind kind, std::int32_t first, std::int64_t second,
                               Vector3<Real> const& velocity_second, Vector3<Real> const& separation,
                               Vector3<Real> const& impulse) {
@@ -228,7 +205,6 @@ private:
 
     Tallies& tallies_ = state_.tallies;
     Laws<Real> laws_;
-    std::unique_ptr<Lookout> scout_; // the last one: it reads the others
 };
 
 } // namespace clack

@@ -1,7 +1,6 @@
 #pragma once
 // Many small bins of balls in one allocation: book-keeping only, no physics.
 
-#include "state/glance.hpp"
 #include "state/huge_pages.hpp"
 
 #include <array>
@@ -14,8 +13,7 @@
 namespace clack {
 
 /// A bin is a block of `places` and, when that is full, a chain of further blocks from a pool:
-/// nothing can overflow, and emptied blocks are used again. The first blocks stay readable where
-/// they are until the next `reset`, for a thread that only looks.
+/// nothing can overflow, and emptied blocks are used again.
 template <std::int32_t places> class ChainedBins {
 public:
     static_assert(places < 16);
@@ -40,7 +38,6 @@ public:
         reserve_large(blocks_, bins + bins / 64);
         blocks_.assign(bins, Block{});
         free_ = end_of_chain;
-        outgrown_.clear();
     }
 
     void insert(std::size_t bin, std::int32_t ball) {
@@ -72,19 +69,7 @@ public:
 
     Block const& block(std::size_t bin) const { return blocks_[bin]; }
 
-    /// Calls visit(ball) for the balls in a bin's first block, which another thread may be
-    /// changing.
-    template <class Visit> void glance_at(std::size_t bin, Visit&& visit) const {
-        Block const& block = blocks_[bin];
-        std::int32_t const count = glance(block.tail) & 15;
-        for (std::int32_t k = 0; k < count; ++k)
-            visit(glance(block.ball[static_cast<std::size_t>(k)]));
-    }
-    std::size_t bytes() const {
-        std::size_t blocks = blocks_.capacity();
-        for (auto const& old : outgrown_) blocks += old.capacity();
-        return blocks * sizeof(Block);
-    }
+    std::size_t bytes() const { return blocks_.capacity() * sizeof(Block); }
 
 private:
     static constexpr std::size_t blocks_max = std::size_t{1} << 27; // what a tail can name
@@ -138,18 +123,9 @@ private:
             blocks_[static_cast<std::size_t>(block)] = Block{};
             return block;
         }
-        if (blocks_.size() == blocks_.capacity()) grow();
         if (blocks_.size() >= blocks_max) throw std::length_error("too many balls for their bins");
         blocks_.emplace_back();
         return static_cast<std::int32_t>(blocks_.size() - 1);
-    }
-
-    void grow() {
-        std::vector<Block> wider;
-        wider.reserve(2 * blocks_.size());
-        wider = blocks_;
-        blocks_.swap(wider);
-        outgrown_.push_back(std::move(wider));
     }
 
     void give_back(std::int32_t block) {
@@ -159,7 +135,6 @@ private:
 
     std::int32_t free_ = end_of_chain;
     std::vector<Block> blocks_;
-    std::vector<std::vector<Block>> outgrown_;
 };
 
 } // namespace clack

@@ -43,7 +43,6 @@ BOOST_AUTO_TEST_CASE(summary_has_every_key) {
         BOOST_TEST(result.at("bytes_per_ball") > 64);
         BOOST_TEST(result.at("method") == "auto");
         BOOST_TEST(result.at("precision") == "double");
-        BOOST_TEST(result.at("threads") == 1);
         BOOST_TEST(std::abs(result.at("temperature").get<double>() - 2) < 1e-13);
         BOOST_TEST(std::abs(result.at("energy_drift").get<double>()) < 1e-13);
         BOOST_TEST(result.at("deepest_overlap") < 1e-12);
@@ -78,29 +77,6 @@ BOOST_AUTO_TEST_CASE(run_says_what_it_found_in_words) {
         BOOST_TEST(outcome.out.find(word) != std::string::npos, word);
     }
     BOOST_TEST(std::filesystem::exists("scene.h5")); // the scene's stem, in the current folder
-}
-
-BOOST_AUTO_TEST_CASE(second_thread_is_used_where_it_is_of_use) {
-    auto const few = run_clack(
-        {"run", scene("walls", "time = 0.1"), "-o", "few.h5", "--threads", "2", "--quiet"});
-    BOOST_TEST(few.code == 0);
-    BOOST_TEST(few.err.find("one thread runs this") != std::string::npos, few.err);
-    auto const three = run_clack({"run", scene("walls", "time = 0.1"), "--threads", "3"});
-    BOOST_TEST(three.code == 2);
-    std::vector<std::string> const many{"run",   scene("periodic", "collisions = 2000"),
-                                        "-o",    "many.h5",
-                                        "--set", "balls.count=70000",
-                                        "--set", "container.side=70",
-                                        "--set", "output.frame_interval=1000",
-                                        "--set", "output.events=false"};
-    auto const with = [&](std::string const& threads) {
-        auto arguments = many;
-        arguments.insert(arguments.end(), {"--threads", threads});
-        return run_json(arguments);
-    };
-    auto const one = with("1"), two = with("2");
-    BOOST_TEST(two.at("threads") == 2);
-    BOOST_TEST(two.at("time") == one.at("time"));
 }
 
 BOOST_AUTO_TEST_CASE(run_stops_exactly_where_it_is_told) {

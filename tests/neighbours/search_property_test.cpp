@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <set>
 
 using namespace clack;
 
@@ -208,21 +209,16 @@ BOOST_AUTO_TEST_CASE(a_crowded_cell_holds_any_number) {
     BOOST_TEST(all.size() == 500u);
 }
 
-/// What a thread that only looks relies on; the address sanitizer would see it gone.
-BOOST_AUTO_TEST_CASE(rows_stay_readable_when_lists_outgrow_them) {
+BOOST_AUTO_TEST_CASE(lists_that_outgrow_their_rows_lose_nobody) {
     using Lists = NeighbourList<double, WalledCube<double>>;
     Crowd<Lists> crowd(made_up::system(Boundary::walls, 60, 0.01), 5);
-    auto const before = crowd.search.candidates(0);
-    std::vector<std::int32_t> const had(before.begin(), before.end());
     for (std::int32_t k = 1; k < 60; ++k) { // all to one place, but for ball 0
         crowd.balls[static_cast<std::size_t>(k)].point.setConstant(crowd.cube.low);
         crowd.search.refresh(crowd.balls, k, 0);
     }
-    auto const after = crowd.search.candidates(0);
-    BOOST_TEST(after.data() != before.data()); // they have moved
-    BOOST_TEST(before == had, boost::test_tools::per_element());
-    std::size_t seen = 0;
-    crowd.search.glance_at_candidates(crowd.balls, 1, [&](std::int32_t) { ++seen; });
-    BOOST_TEST(seen == 16u);
-    BOOST_TEST(crowd.search.candidates(1).size() >= 58u);
+    for (std::int32_t k = 1; k < 60; ++k) {
+        auto const found = crowd.search.candidates(k);
+        std::set<std::int32_t> const others(found.begin(), found.end());
+        BOOST_TEST(others.size() >= 59u); // with itself
+    }
 }

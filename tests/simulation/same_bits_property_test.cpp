@@ -6,15 +6,10 @@
 #include "scheduling/collision_table.hpp"
 #include "simulation/engine_of.hpp"
 #include "simulation/epoch.hpp"
-#include "simulation/trial.hpp"
 #include "tests/made_up_balls.hpp"
 #include "validation/lattice_start.hpp"
 
 #include <boost/test/unit_test.hpp>
-
-#include <atomic>
-#include <chrono>
-#include <thread>
 
 using namespace clack;
 
@@ -46,30 +41,6 @@ std::vector<Maker<Container>> const makers{assemble<Container, EveryPair, Collis
                                            assemble<Container, NeighbourList, BinaryHeap>,
                                            assemble<Container, NeighbourList, Calendar>};
 
-/// Counts how often it is rebuilt while somebody looks into it, both of which take it long.
-template <class Real> class SlowCalendar : public Calendar<Real> {
-public:
-    using Calendar<Real>::Calendar;
-
-    void rebuild(NextEvents<Real> const& next, Real now) {
-        rebuilding = true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        Calendar<Real>::rebuild(next, now);
-        rebuilding = false;
-        ++rebuilds;
-    }
-    template <class Visit> void glance_at(std::int64_t bucket, Visit&& visit) const {
-        bool const before = rebuilding;
-        std::this_thread::sleep_for(std::chrono::microseconds(100));
-        Calendar<Real>::glance_at(bucket, visit);
-        if (before || rebuilding) ++disturbances;
-        ++glances;
-    }
-
-    static inline std::atomic<bool> rebuilding = false;
-    static inline std::atomic<long> rebuilds = 0, glances = 0, disturbances = 0;
-};
-
 template <template <class> class Container> State<Container> fresh(System const& system) {
     return State<Container>(system, made_up::lattice(system, 2015), epoch_length(system, 1.7));
 }
@@ -85,17 +56,6 @@ void all_go_one_way(std::int64_t count, double packing_fraction, std::uint64_t c
         BOOST_TEST(engine->hash() == wanted);
         BOOST_TEST(engine->tallies().ball_collisions == collisions);
     }
-}
-
-/// The slices of a run in which a helper makes a slice last `with` and none makes it last
-/// `without`; every third takes much longer, for reasons of its own.
-int slices_helped(Trial& trial, int slices, double with, double without) {
-    int helped = 0;
-    for (int slice = 0; slice < slices; ++slice) {
-        helped += trial.helps() ? 1 : 0;
-        trial.slice_done((trial.helps() ? with : without) * (slice % 3 == 0 ? 5 : 1));
-    }
-    return helped;
 }
 
 } // namespace
@@ -166,54 +126,6 @@ template <template <class> class Container> void many_go_one_way() {
 BOOST_AUTO_TEST_CASE(many_balls_that_are_looked_ahead_for_go_one_way) {
     many_go_one_way<PeriodicCube>();
     many_go_one_way<WalledCube>();
-}
-
-/// Through many epochs and calls, so that it is stopped and started often.
-BOOST_AUTO_TEST_CASE(second_thread_that_reads_ahead_leaves_no_trace) {
-    for (auto const make : {assemble<PeriodicCube, CellGrid, Calendar>,
-                            assemble<PeriodicCube, NeighbourList, Calendar>}) {
-        System const system = made_up::system(Boundary::periodic, 4000, 0.3);
-        std::uint64_t hashes[2];
-        for (int threads : {1, 2}) {
-            auto state = fresh<PeriodicCube>(system);
-            state.clock.length = 0x1p-4;
-            auto const engine = make(std::move(state));
-            if (threads == 2) engine->read_ahead();
-            BOOST_TEST(engine->threads() == threads);
-            while (engine->advance({.time = 1, .events = 300}) == Stop::events) {
-            }
-            hashes[threads - 1] = engine->hash();
-        }
-        BOOST_TEST(hashes[0] == hashes[1]);
-    }
-    auto const heap = assemble<WalledCube, CellGrid, BinaryHeap>(
-        fresh<WalledCube>(made_up::system(Boundary::walls, 27, 0.1)));
-    heap->read_ahead();
-    BOOST_TEST(heap->threads() == 1);
-}
-
-BOOST_AUTO_TEST_CASE(second_thread_stands_still_while_the_indexes_are_rebuilt) {
-    auto state = fresh<PeriodicCube>(made_up::system(Boundary::periodic, 500, 0.3));
-    state.clock.length = 0x1p-4;
-    auto const engine = assemble<PeriodicCube, CellGrid, SlowCalendar>(std::move(state));
-    engine->read_ahead();
-    engine->advance({.time = 1});
-    BOOST_TEST(SlowCalendar<double>::rebuilds > 10);
-    BOOST_TEST(SlowCalendar<double>::glances > 10);
-    BOOST_TEST(SlowCalendar<double>::disturbances == 0);
-}
-
-BOOST_AUTO_TEST_CASE(second_thread_steps_back_while_it_does_not_help_and_comes_again) {
-    Trial trial;
-    constexpr int most = Trial::period - Trial::tries - 1, few = Trial::period - most;
-    slices_helped(trial, Trial::period / 2, 1, 1.5);
-    BOOST_TEST(slices_helped(trial, Trial::period, 1, 1.5) == most);
-    slices_helped(trial, Trial::period, 1.5, 1); // somebody has come to the other core
-    BOOST_TEST(slices_helped(trial, Trial::period, 1.5, 1) == few);
-    slices_helped(trial, Trial::period, 1, 1.5); // and gone
-    BOOST_TEST(slices_helped(trial, Trial::period, 1, 1.5) == most);
-    slices_helped(trial, Trial::period, 1, 0.99); // no reason to change
-    BOOST_TEST(slices_helped(trial, Trial::period, 1, 0.99) == most);
 }
 
 BOOST_AUTO_TEST_CASE(clock_that_starts_late_gives_the_same_bits) {

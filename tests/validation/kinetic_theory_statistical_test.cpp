@@ -55,8 +55,6 @@ public:
     }
     void start_clock() override { engine_->start_clock(); }
     void hash_collisions() override { engine_->hash_collisions(); }
-    void read_ahead() override { engine_->read_ahead(); }
-    int threads() const override { return engine_->threads(); }
     double time() const override { return engine_->time(); }
     Tallies const& tallies() const override { return engine_->tallies(); }
     std::uint64_t hash() const override { return engine_->hash(); }

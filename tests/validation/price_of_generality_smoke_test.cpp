@@ -3,6 +3,8 @@
 
 #include "validation/price_of_generality.hpp"
 
+#include "neighbours/every_pair.hpp"
+
 #include <boost/test/unit_test.hpp>
 
 #include <numeric>
