@@ -73,8 +73,9 @@ do for [k = 1:5] { unset object k; unset label k }
 set tmargin at screen 0.197
 set bmargin at screen 1.1 / height
 set xtics scale 0 font ',7' ('' 1)
-do for [k = 1:words(counts)] { set xtics add (word(counts, k) k) }
-set xlabel 'number of balls {/:Italic n}' offset 0, 0.6
+in_short(n) = n < 1000 ? sprintf('%d', n) : sprintf('%gk', n / 1000)
+do for [k = 1:words(counts)] { set xtics add (in_short(real(word(counts, k))) k) }
+set xlabel 'number of balls {/:Italic n} (k: thousands)' offset 0, 0.6
 unset ylabel
 boundary = 'periodic'
 set label 9 'periodic' at graph 0, 1.07
