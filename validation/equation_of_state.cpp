@@ -65,8 +65,8 @@ Csv infinite_fluid(std::vector<StatePoint> const& points, Ledger const& ledger) 
 
 Macros macros_of(std::vector<StatePoint> const& points, double const collisions,
                  Ledger const& ledger, Profile const profile) {
-    double largest = 0;         // deviation, in margins, which are parts of Zc
-    double least_precision = 0; // 95 % error as a part of Z, where the full profile is for the best
+    double largest = 0;       // deviation, in margins, which are parts of Zc
+    double largest_error = 0; // 95 %, relative to Z, where the full profile is for the smallest
     for (Entry const& entry : ledger.entries()) {
         Comparison const& c = entry.comparison;
         if (entry.quantity.name == "virial" || entry.quantity.name == "rate")
@@ -74,8 +74,8 @@ Macros macros_of(std::vector<StatePoint> const& points, double const collisions,
     }
     for (std::size_t k = 0; k < points.size(); ++k) {
         Estimate const z = by_rate_at(k, ledger);
-        if (precision(points[k].number_density()) == precision(0.5))
-            least_precision = std::max(least_precision, half_width(z, 0.95) / z.value);
+        if (aimed_error(points[k].number_density()) == aimed_error(0.5))
+            largest_error = std::max(largest_error, half_width(z, 0.95) / z.value);
     }
     Macros macros("EquationOfState");
     macros.define("PackingFractions", cell(points.size()));
@@ -83,7 +83,8 @@ Macros macros_of(std::vector<StatePoint> const& points, double const collisions,
     macros.define("LowestPacking", fmt::format("{:.2f}", points.front().packing_fraction));
     macros.define("HighestPacking", fmt::format("{:.2f}", points.back().packing_fraction));
     macros.define("LargestDeviationPercent", significant(100 * margin(profile) * largest, 2));
-    macros.define("LeastPrecision", significant(least_precision, 2));
+    macros.define("LargestRelativeError", significant(largest_error, 2));
+    macros.define("AimedError", significant(aimed_error(0.5), 1));
     macros.define("MarginPercent", significant(100 * margin(profile), 1));
     macros.define("ContactMarginPercent", significant(100 * contact_margin(profile), 1));
     return macros;

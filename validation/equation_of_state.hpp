@@ -17,9 +17,8 @@ struct StatePoint : PeriodicRun {
 };
 
 /// The 95 % error of Z, relative to it, that the full profile is for: that of the best published
-/// table, at the number densities that this covers; twice as much beyond, where theory is less
-/// sure.
-constexpr double precision(double const number_density) {
+/// table, at the number densities that this covers; at others twice as much.
+constexpr double aimed_error(double const number_density) {
     return number_density > 0.15 && number_density < 0.91 ? 4e-5 : 8e-5;
 }
 
@@ -28,7 +27,7 @@ constexpr double precision(double const number_density) {
 /// and 2.9 at 0.45; a tenth more, since it is an estimate from finitely many replicates.
 inline double collisions_needed(double const packing_fraction) {
     double const density = packing_fraction * 6 / std::numbers::pi;
-    return std::pow((0.05 + 6.6 * packing_fraction) / precision(density), 2);
+    return std::pow((0.05 + 6.6 * packing_fraction) / aimed_error(density), 2);
 }
 
 /// The fluid from dilute to just below freezing (packing fraction 0.492). Few balls where that is
