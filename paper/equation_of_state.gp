@@ -1,6 +1,6 @@
-# Compressibility factor of the fluid beside its equation of state; two ways to it as parts of its
-# collisional part, on the scale of their errors, with Schultz' fit; and residuals in standard errors
-# of all three ways. Carnahan and Starling's formula is a guide line.
+# Compressibility factor of the fluid beside its equation of state; two ways to it relative to that,
+# on the scale of their errors, with Schultz' fit; and residuals in standard errors of all three
+# ways. Carnahan and Starling's formula is a guide line.
 height = 9.4
 load 'paper/style.gp'
 
@@ -8,7 +8,7 @@ results = data . '/equation_of_state.csv'
 points = data . '/equation_of_state_infinite.csv'
 theory = data . '/equation_of_state_theory.csv'
 only(quantity, y) = strcol(2) eq quantity ? y : NaN
-stats results using (only('virial', 100 * $4 / ($5 - 1))) name 'error' nooutput
+stats results using (only('virial', 100 * $4 / $5)) name 'error' nooutput
 widest = error_max
 
 set multiplot
@@ -34,10 +34,10 @@ set format y '%.1g'
 set ylabel 'deviation, %' offset 0.3, 0
 unset key
 plot 0 with lines ls 1, \
-     theory using 1:(100 * ($3 - $2) / ($2 - 1)) with lines ls 3, \
-     theory using 1:(100 * ($4 - $2) / ($2 - 1)) with lines ls 6, \
-     results using ($1 - 0.004):(only('virial', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 2 pt 7, \
-     results using 1:(only('rate', 100 * ($3 - $5) / ($5 - 1))):(100 * $4 / ($5 - 1)) with yerrorbars ls 4 pt 6
+     theory using 1:(100 * ($3 - $2) / $2) with lines ls 3, \
+     theory using 1:(100 * ($4 - $2) / $2) with lines ls 6, \
+     results using ($1 - 0.004):(only('virial', 100 * ($3 - $5) / $5)):(100 * $4 / $5) with yerrorbars ls 2 pt 7, \
+     results using 1:(only('rate', 100 * ($3 - $5) / $5)):(100 * $4 / $5) with yerrorbars ls 4 pt 6
 set format y '%h'
 
 set tmargin at screen 0.31
