@@ -34,14 +34,16 @@ protected:
         tell_partner(ball);
     }
 
-    /// Two balls that have collided.
+    /// Two balls that have collided. What they meet alone comes first: its roots wait for nothing
+    /// that the contacts need, and are ready when those are.
     void predict_both(std::int32_t i, std::int32_t j) {
+        NextEvent<Real> const alone_i = alone(i), alone_j = alone(j);
         auto const [found_i, found_j] = contacts_of_both(i, j);
         for (std::int32_t const ball : {found_i.ball, found_j.ball}) // they will be told
             prefetch(&agenda_[std::max(ball, 0)]);
-        agenda_[i] = next_event(i, found_i);
+        agenda_[i] = earlier_of(alone_i, found_i);
         file(i); // a queue hears of one change at a time
-        agenda_[j] = next_event(j, found_j);
+        agenda_[j] = earlier_of(alone_j, found_j);
         file(j);
         tell_partner(i);
         tell_partner(j);
@@ -98,19 +100,27 @@ private:
 
     /// The next event of one ball from all its candidates and the walls.
     NextEvent<Real> next_event(std::int32_t ball) {
-        return next_event(
-            ball, earliest_contact(scenery(), ball, search_.candidates(ball), clock_.offset));
+        NextEvent<Real> const event = alone(ball);
+        return earlier_of(
+            event, earliest_contact(scenery(), ball, search_.candidates(ball), clock_.offset));
     }
-    NextEvent<Real> next_event(std::int32_t ball, Contact<Real> const& found) {
-        NextEvent<Real> event{found.time, infinity<Real>, found.ball};
+
+    /// What a ball meets without another: a wall, and the end of its candidates.
+    NextEvent<Real> alone(std::int32_t ball) {
+        NextEvent<Real> event;
         if constexpr (!periodic) {
             WallContact<Real> const wall = model_.wall_contact(state_[ball], state_.cube);
-            if (wall.time < event.contact) {
-                event.contact = wall.time;
-                event.partner = wall_partner(wall.wall);
-            }
+            event.contact = wall.time;
+            event.partner = wall_partner(wall.wall);
         }
         event.expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
+        return event;
+    }
+    static NextEvent<Real> earlier_of(NextEvent<Real> event, Contact<Real> const& found) {
+        if (!(event.contact < found.time)) {
+            event.contact = found.time;
+            event.partner = found.ball;
+        }
         return event;
     }
 
