@@ -58,6 +58,21 @@ void all_go_one_way(std::int64_t count, double packing_fraction, std::uint64_t c
     }
 }
 
+/// So many that all an event reads is asked for in advance, at places and in cells that are
+/// foretold: what another collision changes in between must not matter.
+template <template <class> class Container> void many_go_one_way() {
+    System const system = made_up::system(Container<double>::boundary, 50'000, 0.2);
+    std::uint64_t wanted = 0;
+    for (auto const make :
+         {assemble<Container, CellGrid, BinaryHeap>, assemble<Container, CellGrid, Calendar>,
+          assemble<Container, NeighbourList, Calendar>}) {
+        auto const engine = make(fresh<Container>(system));
+        engine->advance({.ball_collisions = 20'000});
+        if (wanted == 0) wanted = engine->hash();
+        BOOST_TEST(engine->hash() == wanted);
+    }
+}
+
 } // namespace
 
 // Hundreds of collisions a ball: dozens of times past where rounding would have told two ways
@@ -109,20 +124,6 @@ BOOST_AUTO_TEST_CASE(balls_that_move_in_memory_leave_no_trace) {
     }
 }
 
-/// So many that all an event reads is asked for in advance, at places and in cells that are
-/// foretold: what another collision changes in between must not matter.
-template <template <class> class Container> void many_go_one_way() {
-    System const system = made_up::system(Container<double>::boundary, 50'000, 0.2);
-    std::uint64_t wanted = 0;
-    for (auto const make :
-         {assemble<Container, CellGrid, BinaryHeap>, assemble<Container, CellGrid, Calendar>,
-          assemble<Container, NeighbourList, Calendar>}) {
-        auto const engine = make(fresh<Container>(system));
-        engine->advance({.ball_collisions = 20'000});
-        if (wanted == 0) wanted = engine->hash();
-        BOOST_TEST(engine->hash() == wanted);
-    }
-}
 BOOST_AUTO_TEST_CASE(many_balls_that_are_looked_ahead_for_go_one_way) {
     many_go_one_way<PeriodicCube>();
     many_go_one_way<WalledCube>();
