@@ -56,7 +56,7 @@ inline std::vector<StatePoint> state_points(Profile const profile) {
     constexpr std::int64_t balls_looked_at = 5'000'000; // in all looks of a replicate
     for (double const density : {0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.935}) {
         double const eta = density * std::numbers::pi / 6;
-        // Beyond the 1/N term 864 balls have 1.4(3)e-4 of Zc at density 0.9, and 4000 -0.1(6)e-4.
+        // Beyond the 1/N term 864 balls have 1.4(3)e-4 of Zc at density 0.9, and 4000 -0.2(5)e-4.
         // So many replicates that their scatter says the error well.
         PeriodicRun run{{eta, density < 0.75 ? 864 : 4000}, 500, 1, 64};
         run.production = std::ceil(collisions_needed(eta) / run.collisions(64));
