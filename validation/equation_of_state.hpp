@@ -29,11 +29,11 @@ constexpr double aimed_error(double const number_density) {
 /// effect. What the finite-size law leaves out stays below it at these numbers of balls.
 constexpr double margin(Profile const profile) { return profile == Profile::quick ? 2e-3 : 1e-3; }
 
-/// Collisions that the full profile takes. The rate's error of Z, relative to it, times the root of
-/// their number is 0.39 at packing fraction 0.05, 1.2 at 0.20, 2.3 at 0.40 and 2.9 at 0.45 in the
-/// quick profile; a tenth more, since it is an estimate from finitely many replicates. In a dilute
-/// gas Zc is the small part of Z that is judged: the virial's error of it is 1.25, in the same
-/// sense, and the margin is to be five of it.
+/// Collisions that the full profile takes. The rate's 95 % error of Z, relative to it, times the
+/// root of their number is 0.39 at packing fraction 0.05, 1.2 at 0.20, 2.3 at 0.40 and 2.9 at 0.45
+/// in the quick profile; a tenth more, since it is an estimate from finitely many replicates. In a
+/// dilute gas Zc is the small part of Z that is judged: the virial's standard error of it, relative
+/// to it, times that root is 1.25, and the margin is to be five standard errors.
 inline double collisions_needed(double const packing_fraction) {
     double const density = packing_fraction * 6 / std::numbers::pi;
     double const for_the_aim = (0.05 + 6.6 * packing_fraction) / aimed_error(density);
