@@ -66,7 +66,8 @@ template <class Real> struct MassOfEach : ElasticBalls<Real> {
         velocity_i += share_i * kick;
         velocity_j -= share_j * kick;
         if (dot<Real>(separation, velocity_j - velocity_i) < 0)
-            turn_apart(velocity_i, velocity_j, separation, distance2);
+            std::tie(velocity_i, velocity_j) =
+                turn_apart<Real>(velocity_i, velocity_j, separation, distance2);
         return -(mass_j * share_j) * kick;
     }
 };

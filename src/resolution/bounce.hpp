@@ -5,7 +5,9 @@
 #include "state/ball.hpp"
 
 #include <cmath>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace clack {
 
@@ -33,8 +35,9 @@ template <class Real> [[gnu::always_inline]] inline Real square_rest(Vector3<Rea
 /// would collide again and again without moving: where rounding left it approaching, the smallest
 /// impulses that change the velocities are added until it does not.
 template <class Real>
-[[gnu::noinline, gnu::cold]] void turn_apart(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
-                                             Vector3<Real> const& separation, Real distance2) {
+[[gnu::noinline, gnu::cold]] std::pair<Vector3<Real>, Vector3<Real>>
+turn_apart(Vector3<Real> velocity_i, Vector3<Real> velocity_j, Vector3<Real> separation,
+           Real distance2) {
     Real speed = 0;
     for (int d = 0; d < 3; ++d) {
         using std::abs;
@@ -47,6 +50,7 @@ template <class Real>
         velocity_j += separation * nudge;
         nudge *= 2;
     }
+    return {velocity_i, velocity_j};
 }
 
 /// Two equal balls in contact exchange the components of their velocities along the line of their
@@ -64,15 +68,17 @@ exchange_normal_velocities(Vector3<Real>& velocity_i, Vector3<Real>& velocity_j,
     if (!(approach < 0)) return Vector3<Real>::Zero();
     Real const distance2 = dot<Real>(separation, separation);
     Real const ratio = share * approach / distance2;
+    Real const inverse = 1 / distance2; // the ratio does not wait for it, nor the rest for long
     Real const rest =
-        (fused(-ratio, distance2, share * approach) - ratio * square_rest(separation)) / distance2;
+        (fused(-ratio, distance2, share * approach) - ratio * square_rest(separation)) * inverse;
     Vector3<Real> kick;
     for (int d = 0; d < 3; ++d) kick[d] = fused(separation[d], ratio, separation[d] * rest);
     velocity_i += kick;
     velocity_j -= kick;
 
     if (dot<Real>(separation, velocity_j - velocity_i) < 0)
-        turn_apart(velocity_i, velocity_j, separation, distance2);
+        std::tie(velocity_i, velocity_j) =
+            turn_apart<Real>(velocity_i, velocity_j, separation, distance2);
     return -kick;
 }
 

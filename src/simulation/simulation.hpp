@@ -109,7 +109,7 @@ private:
         }
         state_.fly_to(i, clock_.offset);
         state_.fly_to(j, clock_.offset);
-        Pair<Real> const pair = pair_of(state_[i], state_[j], state_.cube, clock_.offset);
+        Pair<Real> const pair = pair_now(state_[i], state_[j], state_.cube);
         Vector3<Real> const separation{pair.x, pair.y, pair.z};
         Real const distance2 = dot<Real>(separation, separation);
         Real const diameter2 = model_.diameter_squared(pair, clock_.offset);
@@ -136,8 +136,8 @@ private:
 
     /// Returns the momentum per unit mass that j is given. Both will be predicted anew, so that
     /// neither waits for the other.
-    Vector3<Real> exchange_impulse(std::int32_t i, std::int32_t j,
-                                   Vector3<Real> const& separation) {
+    [[gnu::always_inline]] Vector3<Real> exchange_impulse(std::int32_t i, std::int32_t j,
+                                                          Vector3<Real> const& separation) {
         Ball<Real>& one = state_[i];
         Ball<Real>& other = state_[j];
         if constexpr (heeds_notes<Model<Real>>) {
