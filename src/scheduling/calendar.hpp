@@ -32,7 +32,7 @@ public:
     explicit Calendar(std::size_t count)
         : Calendar(count, count >= foresight_from ? Foresight::some : Foresight::none) {}
     Calendar(std::size_t count, Foresight foresight)
-        : looks_ahead_(foresight == Foresight::some), in_ring_max_(6 * count) {
+        : looks_ahead_(foresight == Foresight::some), chained_max_(2 * count / 5) {
         std::size_t buckets = 4;
         while (balls_per_bucket * buckets < 2 * count) buckets *= 2;
         mask_ = static_cast<std::int64_t>(buckets) - 1;
@@ -61,7 +61,6 @@ public:
     /// Buckets since `base_`; rounding in the product is monotonic, so order between buckets holds.
     std::int64_t bucket_at(Real time) const {
         Real const index = (time - base_) * inverse_width_;
-        Real const far = static_cast<Real>(0x1p62);
         return static_cast<std::int64_t>(index < far ? index : far);
     }
 
@@ -70,6 +69,8 @@ public:
 private:
     static constexpr std::size_t events_ahead = 8;     // for those who look six events ahead
     static constexpr std::size_t balls_per_bucket = 4; // measured flat between two and eight
+
+    static constexpr Real far = static_cast<Real>(0x1p62); // buckets
 
     /// As if all waited equally long.
     static Real bucket_width(NextEvents<Real> const& next, Real now) {
@@ -90,7 +91,6 @@ private:
         bucket_.clear();
         waiting_.fill({});
         base_ = now;
-        in_ring_ = 0;
         inverse_width_ = 1 / bucket_width(next, now);
         open_ = 0;
         for (std::int32_t ball = 0; ball < static_cast<std::int32_t>(next.size()); ++ball)
@@ -101,27 +101,40 @@ private:
         return static_cast<std::size_t>(bucket & mask_);
     }
 
-    /// Among many balls the bucket has to be asked for, and the ball waits for it to come.
+    /// What is rare, or for many balls only, stands in functions of its own, so that this one has
+    /// next to nothing to save: 1.01 to 1.02 times as fast.
     void file(NextEvents<Real> const& next, std::int32_t ball) {
         Real const time = next[ball].time();
-        if (!(time < infinity<Real>)) return;
-        std::int64_t const bucket = bucket_at(time);
-        if (bucket <= open_) {
-            bucket_.insert(next, ball);
-        } else if (looks_ahead_) {
-            prefetch(&ring_.block(slot_of(bucket)));
-            Waiting& oldest = waiting_[turn_++ % waiting_.size()];
-            if (oldest.ball != no_event) insert(slot_of(oldest.bucket), oldest.ball);
-            oldest = {bucket, ball};
-        } else {
-            insert(slot_of(bucket), ball);
-        }
-        if (in_ring_ > in_ring_max_) file_all_anew(next);
+        Real const index = (time - base_) * inverse_width_;
+        if (!(index < far)) return file_far(next, ball);
+        auto const bucket = static_cast<std::int64_t>(index);
+        if (bucket <= open_) return file_in_open(next, ball);
+        if (looks_ahead_) return file_soon(next, bucket, ball);
+        insert(next, slot_of(bucket), ball);
+    }
+    [[gnu::noinline]] void file_far(NextEvents<Real> const& next, std::int32_t ball) {
+        Real const time = next[ball].time();
+        if (time < infinity<Real>) insert(next, slot_of(bucket_at(time)), ball);
+    }
+    [[gnu::noinline]] void file_in_open(NextEvents<Real> const& next, std::int32_t ball) {
+        bucket_.insert(next, ball);
+    }
+    /// Among many balls the bucket has to be asked for, and the ball waits for it to come.
+    [[gnu::noinline]] void file_soon(NextEvents<Real> const& next, std::int64_t bucket,
+                                     std::int32_t ball) {
+        prefetch(&ring_.block(slot_of(bucket)));
+        Waiting& oldest = waiting_[turn_++ % waiting_.size()];
+        Waiting const due = std::exchange(oldest, {bucket, ball});
+        if (due.ball != no_event) insert(next, slot_of(due.bucket), due.ball);
     }
 
-    void insert(std::size_t slot, std::int32_t ball) {
+    void insert(NextEvents<Real> const& next, std::size_t slot, std::int32_t ball) {
+        if (!ring_.insert_in_first(slot, ball)) insert_in_chain(next, slot, ball);
+    }
+    [[gnu::noinline]] void insert_in_chain(NextEvents<Real> const& next, std::size_t slot,
+                                           std::int32_t ball) {
         ring_.insert(slot, ball);
-        ++in_ring_;
+        if (ring_.chained() > chained_max_) file_all_anew(next);
     }
 
     void open_one_more(NextEvents<Real> const& next) {
@@ -161,10 +174,9 @@ private:
         std::size_t fresh = 0, again = 0;
         ring_.drain(slot, [&](std::int32_t const* balls, std::size_t count) {
             sort_out(next, slot, balls, count, fresh, again);
-            in_ring_ -= count;
         });
         bucket_.append(next, fresh);
-        for (std::size_t k = 0; k < again; ++k) insert(slot, again_[k]);
+        for (std::size_t k = 0; k < again; ++k) ring_.insert(slot, again_[k]);
     }
 
     /// Choices without branches: which entries still hold cannot be foretold.
@@ -187,7 +199,7 @@ private:
     void file_waiting(std::size_t slot) {
         for (Waiting& waiting : waiting_) {
             if (waiting.bucket != open_ || waiting.ball == no_event) continue;
-            insert(slot, waiting.ball);
+            ring_.insert(slot, waiting.ball);
             waiting.ball = no_event;
         }
     }
@@ -209,9 +221,9 @@ private:
     std::array<Waiting, 8> waiting_; // to be filed
     std::size_t turn_ = 0;
     ChainedBins<15> ring_; // a block is a cache line
-    /// Entries; where a few balls move and the others wait, those that no longer hold must not fill
-    /// the memory.
-    std::size_t in_ring_ = 0, in_ring_max_;
+    /// Blocks beyond the first of each bucket; where a few balls move and the others wait, entries
+    /// that no longer hold must not fill the memory.
+    std::size_t chained_max_;
     std::int64_t mask_; // buckets in the ring, a power of two, less one
     OpenBucket<Real> bucket_;
     std::vector<std::int32_t> again_; // of later revolutions, when a bucket is opened

@@ -135,10 +135,12 @@ private:
         std::array<Real, row_max> unsorted;
         std::array<std::int32_t, row_max> their_balls;
         std::fill_n(times + count, wide, infinity<Real>);
-        for (std::size_t first = 0; first < count; first += wide) { // copies of constant size
-            std::copy_n(times + first, wide, unsorted.data() + first);
-            std::copy_n(balls + first, wide, their_balls.data() + first);
-        }
+        auto const copy_from = [&](std::size_t first) { // of constant size
+            std::memcpy(unsorted.data() + first, times + first, wide * sizeof(Real));
+            std::memcpy(their_balls.data() + first, balls + first, wide * sizeof(std::int32_t));
+        };
+        copy_from(0); // most often all there is; a loop alone would become a call
+        for (std::size_t first = wide; first < count; first += wide) copy_from(first);
         for (std::size_t k = 0; k < count; ++k) {
             std::size_t const rank = rank_of(k, unsorted.data(), count);
             times[rank] = unsorted[k];

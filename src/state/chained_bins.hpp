@@ -38,11 +38,17 @@ public:
         reserve_large(blocks_, bins + bins / 64);
         blocks_.assign(bins, Block{});
         free_ = end_of_chain;
+        chained_ = 0;
     }
 
     void insert(std::size_t bin, std::int32_t ball) {
-        if (blocks_[bin].count() == places) return insert_in_chain(bin, ball);
+        if (!insert_in_first(bin, ball)) insert_in_chain(bin, ball);
+    }
+    /// Whether the bin's first block had room for it.
+    bool insert_in_first(std::size_t bin, std::int32_t ball) {
+        if (blocks_[bin].count() == places) return false;
         blocks_[bin].add(ball);
+        return true;
     }
 
     /// The last ball of the chain takes the place that becomes free.
@@ -68,6 +74,9 @@ public:
     }
 
     Block const& block(std::size_t bin) const { return blocks_[bin]; }
+
+    /// How many blocks the bins have beyond their first ones.
+    std::size_t chained() const { return chained_; }
 
     std::size_t bytes() const { return blocks_.capacity() * sizeof(Block); }
 
@@ -117,6 +126,7 @@ private:
     }
 
     std::int32_t take_block() {
+        ++chained_;
         if (free_ != end_of_chain) {
             std::int32_t const block = free_;
             free_ = blocks_[static_cast<std::size_t>(block)].more();
@@ -129,11 +139,13 @@ private:
     }
 
     void give_back(std::int32_t block) {
+        --chained_;
         blocks_[static_cast<std::size_t>(block)].go_on_at(free_);
         free_ = block;
     }
 
     std::int32_t free_ = end_of_chain;
+    std::size_t chained_ = 0;
     std::vector<Block> blocks_;
 };
 
