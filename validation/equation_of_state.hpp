@@ -77,7 +77,8 @@ constexpr double theory_error = 2e-5;
 enum Value : std::size_t { by_virial, by_rate, by_contact, blocked_error };
 
 /// How far beyond contact pairs are counted, and by a polynomial of which degree g is extrapolated:
-/// as far as it describes g to 1e-3. A dilute fluid has few pairs there, but a straighter g.
+/// as far as it describes a fluid's g to 1e-3. A dilute one has few pairs there, but a straighter
+/// g.
 struct ContactFit {
     double reach;
     int degree;

@@ -69,25 +69,45 @@ inline Outcome outcome(Ledger& ledger, std::size_t const points) {
     return {ledger.verdict(), worst->z};
 }
 
+/// A mutant at the first of an experiment's points that is meant, measured and entered as the
+/// experiment does.
+///   which     takes a point
+///   measure   takes a point and a seed
+///   enter     takes a ledger, a point and its replicates
+template <class Point, class Which, class MeasurePoint, class Enter>
+Trial caught_by(std::string const& mutant, std::string const& experiment,
+                std::vector<Point> const& points, Which const& which, MeasurePoint const& measure,
+                Enter const& enter) {
+    Point const point = *std::find_if(points.begin(), points.end(), which);
+    auto const judge = [=, count = points.size()](std::vector<Measurement> const& replicates) {
+        Ledger ledger(std::initializer_list<Key>{}); // it is judged, not written
+        enter(ledger, point, replicates);
+        return outcome(ledger, count);
+    };
+    return {mutant,
+            experiment,
+            point.text(),
+            point.replicates,
+            [=](std::uint64_t const seed) { return measure(point, seed); },
+            judge};
+}
+
 /// A point of `equation_of_state`.
 inline Trial under_pressure(std::string const& mutant, double const packing_fraction,
                             EngineMaker const& make,
                             std::function<double(double z, double count)> const& misread) {
-    auto const points = equation_of_state::state_points(Profile::quick);
-    auto const point = *std::find_if(points.begin(), points.end(), [&](auto const& p) {
-        return p.packing_fraction == packing_fraction;
-    });
-    auto const measure = [=](std::uint64_t const seed) {
-        Measurement values = equation_of_state::measure(point, seed, make);
-        for (double& z : values) z = misread(z, static_cast<double>(point.count));
-        return values;
-    };
-    auto const judge = [=](std::vector<Measurement> const& replicates) {
-        Ledger ledger({Key{"packing_fraction", ""}});
-        equation_of_state::enter(ledger, point, replicates, Profile::quick);
-        return outcome(ledger, points.size());
-    };
-    return {mutant, "equation_of_state", point.text(), point.replicates, measure, judge};
+    using namespace equation_of_state;
+    return caught_by(
+        mutant, "equation_of_state", state_points(Profile::quick),
+        [=](StatePoint const& p) { return p.packing_fraction == packing_fraction; },
+        [=](StatePoint const& point, std::uint64_t const seed) {
+            Measurement values = equation_of_state::measure(point, seed, make);
+            for (double& z : values) z = misread(z, static_cast<double>(point.count));
+            return values;
+        },
+        [](Ledger& ledger, StatePoint const& point, auto const& replicates) {
+            enter(ledger, point, replicates, Profile::quick);
+        });
 }
 
 inline Trial under_pressure(Fault const fault, double const packing_fraction) {
@@ -97,19 +117,14 @@ inline Trial under_pressure(Fault const fault, double const packing_fraction) {
 
 /// A point of `velocity_distribution`.
 inline Trial by_velocities(Fault const fault, std::int64_t const count) {
-    auto const points = velocity_distribution::state_points(Profile::quick);
-    auto const point = *std::find_if(points.begin(), points.end(),
-                                     [&](auto const& p) { return p.count == count; });
-    auto const measure = [=](std::uint64_t const seed) {
-        return velocity_distribution::measure(point, seed, with(fault));
-    };
-    auto const judge = [=](std::vector<Measurement> const& replicates) {
-        Ledger ledger({Key{"count", ""}});
-        velocity_distribution::enter(ledger, point, replicates);
-        return outcome(ledger, points.size());
-    };
-    return {name_of(fault), "velocity_distribution", point.text(), point.replicates, measure,
-            judge};
+    using namespace velocity_distribution;
+    return caught_by(
+        name_of(fault), "velocity_distribution", state_points(Profile::quick),
+        [=](StatePoint const& p) { return p.count == count; },
+        [=](StatePoint const& point, std::uint64_t const seed) {
+            return velocity_distribution::measure(point, seed, with(fault));
+        },
+        velocity_distribution::enter);
 }
 
 /// kT = 2E/(3N) where a periodic cube has 3N - 3 degrees of freedom: the kinetic part of Z becomes

@@ -133,7 +133,7 @@ int run(int const argc, char const* const* const argv, Question const& asked,
     } catch (CLI::ParseError const& mistake) { // or --help
         if (mistake.get_exit_code() == 0) return app.exit(mistake);
         std::cerr << fmt::format("{}: {}; see {} --help\n", asked.stem, mistake.what(), asked.stem);
-    } catch (std::runtime_error const& mistake) { // the user's, or a file's or another program's
+    } catch (std::exception const& mistake) { // the user's, a file's, or the experiment's own
         std::cerr << fmt::format("{}: {}\n", asked.stem, mistake.what());
     }
     return 2;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <stdexcept>
 #include <utility>
 
 namespace clack::validation {
@@ -32,7 +33,10 @@ std::string expected(Comparison const& c) {
 } // namespace
 
 void Ledger::compare(std::vector<std::string> state, Quantity quantity, Comparison comparison) {
-    comparison.name = quantity.name;
+    if (!keys_.empty() && state.size() != keys_.size())
+        throw std::invalid_argument(fmt::format("{}: {} cells of its state point for {} keys",
+                                                quantity.name, state.size(), keys_.size()));
+    comparison.name = fmt::format("{} at {}", quantity.name, fmt::join(state, ", "));
     entries_.push_back(
         {{}, Kind::compared, std::move(state), std::move(quantity), std::move(comparison)});
 }

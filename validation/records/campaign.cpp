@@ -15,7 +15,9 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace clack::validation {
 
@@ -35,6 +37,20 @@ double processor_seconds_in_all() {
     times(&used);
     auto const ticks = used.tms_utime + used.tms_stime + used.tms_cutime + used.tms_cstime;
     return static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+/// Two points of one text would be one: same seeds, same replicates.
+void require_distinct(std::vector<Task> const& tasks) {
+    std::set<std::string> texts;
+    for (Task const& task : tasks) {
+        if (task.state_point.find_first_of("|\n") != std::string::npos)
+            throw std::invalid_argument(
+                fmt::format("state point = {}: holds a | or a line end", task.state_point));
+        if (!texts.insert(task.state_point).second)
+            throw std::invalid_argument(fmt::format(
+                "state point = {}: there are two; its text must name all that it depends on",
+                task.state_point));
+    }
 }
 
 } // namespace
@@ -82,6 +98,7 @@ void Campaign::save() const {
 }
 
 std::vector<std::vector<Measurement>> Campaign::replicates(std::vector<Task> const& tasks) {
+    require_distinct(tasks);
     if (share_.listed) {
         for (Task const& task : tasks) std::cout << task.state_point << '\n';
         throw ShareDone{};

@@ -56,8 +56,8 @@ std::string in_tex(std::string_view const text) {
 
 void Csv::row(std::vector<std::string> row) {
     if (row.size() != columns_.size())
-        throw std::invalid_argument(
-            fmt::format("{} cells for {} columns", row.size(), columns_.size()));
+        throw std::invalid_argument(fmt::format("{} cells for the {} columns {}", row.size(),
+                                                columns_.size(), fmt::join(columns_, ", ")));
     for (std::string const& text : row)
         if (text.find_first_of(",\n") != std::string::npos)
             throw std::invalid_argument(

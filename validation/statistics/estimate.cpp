@@ -2,6 +2,7 @@
 
 #include "observables/blocking.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>
@@ -21,6 +22,15 @@ Estimate mean_of(std::vector<double> const& replicates) {
     double squares = 0;
     for (double const value : replicates) squares += (value - mean) * (value - mean);
     return {mean, std::sqrt(squares / (count * (count - 1))), count - 1};
+}
+
+Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const place) {
+    return mean_of(replicates, [=](Measurement const& values) {
+        if (place >= values.size())
+            throw std::invalid_argument(
+                fmt::format("place = {}: a replicate measured {} numbers", place, values.size()));
+        return values[place];
+    });
 }
 
 Estimate median_of(std::vector<double> values) {

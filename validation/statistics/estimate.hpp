@@ -43,9 +43,7 @@ template <std::invocable<Measurement> Function>
 Estimate median_of(std::vector<Measurement> const& replicates, Function const& function) {
     return median_of(values_of(replicates, function));
 }
-inline Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t const place) {
-    return mean_of(replicates, [=](Measurement const& values) { return values.at(place); });
-}
+Estimate mean_of(std::vector<Measurement> const& replicates, std::size_t place);
 
 /// Half the width of Student's interval that holds the true mean with this confidence.
 ///   confidence   in (0, 1)

@@ -21,8 +21,10 @@ Judgement tested(Comparison const& comparison) {
     double const error = std::hypot(measured.error, comparison.reference_error);
     bool const has_margin = comparison.asks != Asks::whether_at_least;
     if (!((comparison.margin > 0 || !has_margin) && error > 0)) {
-        throw std::invalid_argument(fmt::format("{}: margin = {}, error = {}: must be positive",
-                                                comparison.name, comparison.margin, error));
+        throw std::invalid_argument(fmt::format(
+            "{}: margin = {}, error = {}: must be positive; where nothing scatters, say the "
+            "reference's own error, or enter a bound",
+            comparison.name, comparison.margin, error));
     }
     double const difference = measured.value - comparison.reference;
     double const size = std::abs(difference);

@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ int run_with(std::vector<char const*> arguments, std::function<Verdict(Experimen
     return run(static_cast<int>(arguments.size()), arguments.data(), demo, ask);
 }
 
-Verdict never(Experiment&) { throw std::logic_error("must not be asked"); }
+Verdict never(Experiment&) {
+    BOOST_FAIL("must not be asked");
+    return Verdict::undecided;
+}
 
 } // namespace
 
@@ -34,6 +38,19 @@ BOOST_AUTO_TEST_CASE(verdict_is_the_exit_code) {
     BOOST_TEST(run_with(there, [](Experiment&) { return Verdict::undecided; }) == 1);
     BOOST_TEST(run_with(there, [](Experiment&) -> Verdict { throw LawBroken("overlap"); }) == 1);
     BOOST_TEST(run_with(there, [](Experiment&) -> Verdict { throw InputError("no"); }) == 2);
+    // The experiment's own mistake is told too, and is no verdict.
+    BOOST_TEST(run_with(there, [](Experiment&) -> Verdict { throw std::logic_error("no"); }) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_judged_is_refused_by_its_name) {
+    Ledger ledger({{"count", ""}, {"packing_fraction", ""}});
+    Quantity const pressure{"pressure", "$P$"};
+    Comparison const scatterless{.measured = {12, 0}, .reference = 12, .margin = 0.5};
+    BOOST_CHECK_THROW(ledger.compare({"500"}, pressure, scatterless), std::invalid_argument);
+    ledger.compare({"500", "0.4"}, pressure, scatterless);
+    BOOST_CHECK_EXCEPTION(ledger.judge(), std::invalid_argument, [](auto const& mistake) {
+        return std::string(mistake.what()).starts_with("pressure at 500, 0.4: ");
+    });
 }
 
 BOOST_AUTO_TEST_CASE(options_say_how_much_and_where) {

@@ -105,6 +105,21 @@ BOOST_AUTO_TEST_CASE(state_points_have_their_own_replicates) {
     BOOST_TEST(counted.calls == 4);
 }
 
+BOOST_AUTO_TEST_CASE(state_points_that_cannot_be_told_apart_are_refused) {
+    TemporaryDirectory const directory("campaign");
+    Counted counted;
+    Campaign campaign("demo", directory.path, "p1");
+    auto const refused = [&](std::string const& one, std::string const& other) {
+        BOOST_CHECK_THROW(
+            campaign.replicates({{one, 2, counted.measure}, {other, 2, counted.measure}}),
+            std::invalid_argument);
+    };
+    refused("x=1", "x=1");
+    refused("x=1", "x=2|3");
+    refused("x=1\n", "x=2");
+    BOOST_TEST(counted.calls == 0);
+}
+
 BOOST_AUTO_TEST_CASE(state_points_measured_by_a_process_each_are_collected) {
     TemporaryDirectory const directory("campaign");
     Counted counted;

@@ -30,6 +30,9 @@ BOOST_AUTO_TEST_CASE(mean_and_error_are_those_computed_by_hand) {
     BOOST_TEST(std::abs(estimate.error - std::sqrt(14.0 / 12)) < 1e-15);
     BOOST_TEST(estimate.degrees_of_freedom == 3);
     BOOST_CHECK_THROW(mean_of({1}), std::invalid_argument);
+    std::vector<Measurement> const replicates{{1, 10}, {3, 20}};
+    BOOST_TEST(mean_of(replicates, 1).value == 15);
+    BOOST_CHECK_THROW(mean_of(replicates, 2), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(students_t_is_the_tables) {
