@@ -84,7 +84,8 @@ template <class Real, class Container>
 }
 
 /// The same bits for two records that have just been written at one moment, sooner: all that a
-/// collision does waits for it. Measured with lists: 1.02 to 1.03 times as fast.
+/// collision does waits for it. Measured with lists, and with a quotient in `resolution/bounce.hpp`
+/// that waits for one division instead of two: 1.02 to 1.04 times as fast.
 template <class Real, class Container>
 [[gnu::always_inline]] inline Pair<Real> pair_now(Ball<Real> const& i, Ball<Real> const& j,
                                                   Container const& cube) {
