@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -78,7 +79,10 @@ template <class Point, class Which, class MeasurePoint, class Enter>
 Trial caught_by(std::string const& mutant, std::string const& experiment,
                 std::vector<Point> const& points, Which const& which, MeasurePoint const& measure,
                 Enter const& enter) {
-    Point const point = *std::find_if(points.begin(), points.end(), which);
+    auto const found = std::find_if(points.begin(), points.end(), which);
+    if (found == points.end())
+        throw std::logic_error(fmt::format("{}: {} has no such state point", mutant, experiment));
+    Point const point = *found;
     auto const judge = [=, count = points.size()](std::vector<Measurement> const& replicates) {
         Ledger ledger(std::initializer_list<Key>{}); // it is judged, not written
         enter(ledger, point, replicates);

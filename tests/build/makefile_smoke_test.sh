@@ -132,6 +132,9 @@ experiment complexity "$alone"
 experiment speed "$alone"
 run data
 expect 'but not two that time the program' test "$status" = 0
+rm build/data/*.csv
+run speed
+expect 'asked for by name, one that times the program waits for no other' ran speed
 rm validation/complexity.cpp validation/speed.cpp
 experiment two
 
@@ -154,6 +157,10 @@ expect 'and is named' says 'one broke off: build/log/one.log'
 expect 'its figure is named too' says 'build/figures/one.pdf was not drawn'
 run
 expect 'it is tried again' ran one report
+run one
+expect 'asked for by name too' says 'one broke off: build/log/one.log'
+run two
+expect 'and is no matter to another' test "$status" = 0
 
 experiment one 'touch started; sleep 20'
 PATH=$work/bin:$PATH setsid make -f Makefile.data > output.txt 2>&1 &
@@ -166,6 +173,19 @@ experiment one
 run
 expect 'and is run again' ran drew paper/one.gp one report
 expect 'to a good end' test "$status" = 0
+
+rm build/data/*.csv
+run one
+expect 'an experiment asked for by name is measured and drawn alone' ran drew paper/one.gp one
+expect 'and succeeds, whatever the others are' test "$status" = 0
+run two
+expect 'one without a figure is measured' ran two
+experiment two 'mv "$4/two.csv" "$4/other.csv"'
+run two
+expect 'one that leaves its data under another name is told' says 'the stem in its question must be two'
+experiment two
+run two
+run
 
 mkdir validation/scenes
 touch build/clack validation/scenes/balls.toml

@@ -55,15 +55,18 @@ std::size_t tell(std::vector<Shift> const& all, std::string const& directory) {
     return shifted;
 }
 
-/// Of the experiments that are compared; of the others nothing is said.
-std::vector<Known> baseline_of(Request const& request) {
-    if (request.renew && !std::filesystem::exists(request.baseline)) return {};
-    std::vector<Known> before = read_baseline(request.baseline);
-    std::erase_if(before, [&](Known const& known) {
-        return std::find(request.stems.begin(), request.stems.end(), known.experiment) ==
-               request.stems.end();
-    });
-    return before;
+struct Baseline {
+    std::vector<Known> compared, others; // of the experiments that were asked for, and the rest
+};
+Baseline baseline_of(Request const& request) {
+    Baseline baseline;
+    if (request.renew && !std::filesystem::exists(request.baseline)) return baseline;
+    for (Known const& known : read_baseline(request.baseline)) {
+        bool const asked = std::find(request.stems.begin(), request.stems.end(),
+                                     known.experiment) != request.stems.end();
+        (asked ? baseline.compared : baseline.others).push_back(known);
+    }
+    return baseline;
 }
 
 /// Two profiles have no state points in common, or have them with other lengths.
@@ -88,9 +91,26 @@ void tell(std::vector<Known> const& values, char const* const what) {
         std::cout << fmt::format("{}: {} {}: {} values\n", what, point.first, point.second, count);
 }
 
+/// What was measured now beside what the baseline has of other experiments.
+void renew(Request const& request, std::vector<Known> values, std::vector<Known> const& others) {
+    std::size_t const fresh = values.size();
+    values.insert(values.end(), others.begin(), others.end());
+    std::stable_sort(values.begin(), values.end(),
+                     [](Known const& a, Known const& b) { return a.experiment < b.experiment; });
+    auto header = provenance(
+        {"all that are judged by chance", "has a change of the code shifted anything?", "", ""},
+        Profile::quick);
+    header.resize(header.size() - 2); // seeds and margins are the experiments'
+    write_baseline(request.baseline, values, header);
+    std::cout << fmt::format("{}: {} values written", request.baseline, fresh);
+    if (!others.empty()) std::cout << fmt::format(", {} of other experiments kept", others.size());
+    std::cout << '\n';
+}
+
 int compare(Request const& request) {
     require_profile(request);
-    std::vector<Known> const now = measured_now(request), before = baseline_of(request);
+    std::vector<Known> const now = measured_now(request);
+    auto const [before, others] = baseline_of(request);
     auto const all = shifts(before, now);
     if (all.empty() && !request.renew)
         throw InputError(fmt::format("{}: holds nothing that {} has: measure the experiments first",
@@ -103,12 +123,7 @@ int compare(Request const& request) {
                              "{} new\n",
                              all.size(), shifted, lost.size(), added.size());
     if (request.renew) {
-        auto header = provenance(
-            {"all that are judged by chance", "has a change of the code shifted anything?", "", ""},
-            Profile::quick);
-        header.resize(header.size() - 2); // seeds and margins are the experiments'
-        write_baseline(request.baseline, now, header);
-        std::cout << fmt::format("{}: {} values written\n", request.baseline, now.size());
+        renew(request, now, others);
         return 0;
     }
     return shifted > 0 || !lost.empty() ? 1 : 0;
