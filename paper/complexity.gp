@@ -32,7 +32,7 @@ plot for [k = 1:3] costs using 3:(only(word(methods, k), 'start', $6)) with line
 set tmargin at screen 0.525
 set bmargin at screen 1.1 / height
 set format x '10^{%T}'
-set yrange [5e-7:2e-3]
+set yrange [1.5e-7:2e-3]
 set ylabel 'of a collision, s' offset 0.6, 0
 set xlabel 'number of balls {/:Italic n}'
 plot for [k = 1:3] costs using 3:(only(word(methods, k), 'collision', $6)) with lines ls style(k) lw thin, \

@@ -39,7 +39,7 @@ plot 0.57452 with lines ls 9, 0.51069 with lines ls 3, 0.48476 with lines ls 4, 
 set tmargin at screen 0.345
 set bmargin at screen 1.1 / height
 set format x '%h'
-set yrange [-7:5]
+set yrange [*<-7:5<*] noextend
 set ytics -4, 4
 set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'packing fraction ' . eta

@@ -43,8 +43,8 @@ set format y '%h'
 set tmargin at screen 0.31
 set bmargin at screen 1.1 / height
 set format x '%h'
-set yrange [-8:4.5]
-set ytics -3, 3
+set yrange [*<-8:4.5<*] noextend
+set ytics autofreq
 set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'packing fraction ' . eta
 set key bottom left horizontal maxrows 1 Left reverse samplen 1

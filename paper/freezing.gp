@@ -24,7 +24,7 @@ plot theory using 1:4 with lines ls 9 title 'coexistence', \
      points using 2:(strcol(1) eq 'forced' ? $3 : NaN):4 with yerrorbars ls 3 pt 8 title 'forced fluid'
 
 @residual_panel
-set yrange [-5:5]
+set yrange [*<-5:5<*] noextend
 set ytics -4, 4
 set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'number density ' . rho . ', 1/' . sigma . '^3'

@@ -35,7 +35,7 @@ set tmargin at screen 0.37
 set bmargin at screen 1.1 / height
 set format x '%h'
 unset logscale y
-set yrange [-8:8]
+set yrange [*<-8:8<*] noextend
 set ytics 4
 set ylabel 'off the formula, %' offset 0.6, 0
 set xlabel 'packing fraction ' . eta

@@ -25,7 +25,7 @@ plot course using 2:(only('one_moving', $5)) with lines ls 1, \
 @residual_panel
 set tmargin at screen 0.42
 unset logscale y
-set yrange [-5:5]
+set yrange [*<-5:5<*] noextend
 set ytics -3, 3
 set ylabel 'residual, s.e.' offset 0.4, 0
 set xlabel 'time, final mean free times'

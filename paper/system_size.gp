@@ -22,7 +22,7 @@ plot points using (1 / $1):4 with lines ls 1 title 'law, 1/{/:Italic n}', \
 
 @residual_panel
 set format x '10^{%T}'
-set yrange [-5:8]
+set yrange [*<-5:8<*] noextend
 set ytics -4, 4
 set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel '1 / number of balls {/:Italic n}'

@@ -29,7 +29,7 @@ set tmargin at screen 0.31; set bmargin at screen 0.8 / height
 set xrange [1.5:4.5]
 set xtics ('{/:Italic B}_2' 2, '{/:Italic B}_3' 3, '{/:Italic B}_4' 4)
 set format x '%g'
-set yrange [-4.5:4.5]
+set yrange [*<-4.5:4.5<*] noextend
 set ytics -3, 3
 set ylabel 'residual, s.e.' offset 0.3, 0
 unset xlabel

@@ -42,7 +42,7 @@ plot 1 with lines ls 1 title 'bulk, faces, edges', \
 set tmargin at screen 0.315
 set bmargin at screen 1.1 / height
 set format x '%h'
-set yrange [-7:4.5]
+set yrange [*<-7:4.5<*] noextend
 set ytics -3, 3
 set ylabel 'residual, s.e.' offset 0.3, 0
 set xlabel 'overall density {/:Italic n}/{/:Italic L}^3, 1/' . sigma . '^3' offset 0, 0.6
