@@ -12,11 +12,10 @@ Question const question{
     "tonks_gas",
     "Do balls on a line between two walls follow the exact solution by ghosts, and is their "
     "pressure Tonks's?",
-    "places: 4 roundings of the side a collision; numbers of collisions: 0; pressure: 1 hit of "
-    "each "
-    "ghost on each wall",
-    "roundings at worst all to one side; a hit more or less than a ghost's due; without chance, so "
-    "without a false alarm",
+    "places: 4 roundings of the side a collision, 16 standard errors of velocities' roundings; "
+    "numbers of collisions: 0; pressure: 1 hit of each ghost on each wall",
+    "roundings of places at worst all to one side, those of velocities up or down; a hit more or "
+    "less than a ghost's due; so all but without a false alarm",
     Processes::one_a_state_point};
 
 namespace {
