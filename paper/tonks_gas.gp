@@ -13,7 +13,7 @@ set xrange [0.9:1.3e4]
 @main_panel
 set bmargin at screen 0.47
 set logscale y
-set yrange [2e-16:5e2]
+set yrange [2e-16:1e5]
 set ytics ('10^{−15}' 1e-15, '10^{−12}' 1e-12, '10^{−9}' 1e-9, '10^{−6}' 1e-6, '10^{−3}' 1e-3, '1' 1)
 set ylabel 'farthest from its place, ' . sigma offset 0.4, 0
 set key top left Left reverse maxrows 3 samplen 2
