@@ -73,7 +73,7 @@ public:
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                                           Real now) {
         Centre& centre = centre_[static_cast<std::size_t>(ball)];
-        centre = centre_at(balls[static_cast<std::size_t>(ball)].position(now));
+        centre = centre_at(ahead_of(balls[static_cast<std::size_t>(ball)], now));
         Cell const cell = lattice_.cell_at(place_of(centre));
         if (cell != bins_.cell_of(ball)) {
             bins_.remove(ball);
@@ -131,8 +131,9 @@ private:
     static constexpr int periodic_min = 4; // with 3, a ball would be found through two images
 
     NeighbourList(System const& system, Container const& cube, Shell const& shell)
-        : cube_(cube), radius2_(shell.radius * shell.radius), wide_diameter_(system.diameter),
-          wide_side_(system.side), wide_inverse_side_(1 / system.side),
+        : cube_(cube), radius2_(shell.radius * shell.radius), ahead_(shell.ahead),
+          wide_diameter_(system.diameter), wide_side_(system.side),
+          wide_inverse_side_(1 / system.side),
           reach_(static_cast<float>(shell.reach / system.diameter)),
           diameter_(static_cast<Real>(system.diameter)), per_diameter_(1 / diameter_),
           side_(static_cast<float>(system.side / system.diameter)), inverse_side_(1 / side_),
@@ -154,6 +155,14 @@ private:
         for (std::size_t k = 0; k < line_balls; ++k) visit(row(ball)[k]);
     }
 
+    Vector3<Real> ahead_of(Ball<Real> const& ball, Real now) const {
+        Fours<double> const v = velocity_in_double(ball);
+        double const speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        Vector3<Real> place = ball.position(now);
+        if (speed > 0)
+            for (int d = 0; d < 3; ++d) place[d] += static_cast<Real>(v[d] / speed * ahead_);
+        return place;
+    }
     Centre centre_at(Vector3<Real> place) const {
         cube_.wrap(place);
         Centre centre{};
@@ -268,7 +277,7 @@ private:
     }
 
     Container cube_;
-    double radius2_; // of a shell, squared
+    double radius2_, ahead_; // of a shell: the radius squared, the centre's way ahead
     double wide_diameter_, wide_side_, wide_inverse_side_;
     float reach_; // between the centres of two shells whose balls might touch  [diameters]
     Real diameter_, per_diameter_;
