@@ -96,6 +96,12 @@ public:
     void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real) const {
         for_each_in_first_line(ball, [&](std::int32_t other) { prefetch(balls.data() + other); });
     }
+    /// The centres that `refresh` will compare, unless the ball has left its cell.
+    void fetch_fresh_records(std::vector<Ball<Real>> const&, std::int32_t ball) {
+        found_.clear();
+        bins_.collect_around(bins_.cell_of(ball), found_);
+        for (std::int32_t const other : found_) prefetch(centre_.data() + other);
+    }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
         bins_.fetch_around(bins_.cell_of(ball));
         for_each_in_first_line(ball, [&](std::int32_t other) {
@@ -103,6 +109,11 @@ public:
             prefetch(row(other));
             prefetch(centre_.data() + other);
         });
+    }
+
+    /// Most lists have no second line.
+    template <class Visit> void for_each_in_first_line(std::int32_t ball, Visit&& visit) const {
+        for (std::size_t k = 0; k < line_balls; ++k) visit(row(ball)[k]);
     }
 
     std::size_t bytes() const {
@@ -148,11 +159,6 @@ private:
     }
     std::int32_t const* row(std::int32_t ball) const {
         return list_.front().data() + static_cast<std::size_t>(ball) * width_;
-    }
-
-    /// Most lists have no second one.
-    template <class Visit> void for_each_in_first_line(std::int32_t ball, Visit&& visit) const {
-        for (std::size_t k = 0; k < line_balls; ++k) visit(row(ball)[k]);
     }
 
     Vector3<Real> ahead_of(Ball<Real> const& ball, Real now) const {
