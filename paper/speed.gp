@@ -21,12 +21,12 @@ set tmargin at screen 0.985
 set bmargin at screen 0.725
 set logscale xy
 set xrange [300:*]
-set yrange [0.06:8]
+set yrange [0.06:40]
 set format x '10^{%T}'
 set format y '%g'
 set xtics 1e2, 10
 set mxtics 10
-set ytics add (0.1, 0.2, 0.5, 1, 2, 5)
+set ytics add (0.1, 0.2, 0.5, 1, 2, 5, 10)
 set ylabel '10^6 collisions per second' offset 0.8, 0
 set xlabel 'number of balls {/:Italic n}'
 set key top right Left reverse maxrows 2 samplen 1.6 width 0.5
@@ -40,9 +40,9 @@ set xrange [0:0.56]
 set format x '%g'
 set xtics 0.1
 unset mxtics
-set yrange [0.01:9]
+set yrange [0.01:60]
 set xlabel 'packing fraction ' . eta
-set ytics (0.01, 0.1, 1)
+set ytics (0.01, 0.1, 1, 10)
 set key top left Left reverse maxrows 2 samplen 2.5 width 0
 style(name) = name eq 'table' ? 1 : name eq 'heap' ? 3 : name eq 'fast' ? 2 : 4
 runners = system(sprintf("grep -v '^#' %s | tail -n +2 | cut -d, -f4 | awk '!seen[$0]++' | tr '\n' ' '", rates))
