@@ -96,7 +96,7 @@ public:
     void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real) const {
         for_each_in_first_line(ball, [&](std::int32_t other) { prefetch(balls.data() + other); });
     }
-    /// The centres that `refresh` will compare, unless the ball has left its cell.
+    /// The centres that `refresh` will compare, unless the new one lies in another cell.
     void fetch_fresh_records(std::vector<Ball<Real>> const&, std::int32_t ball) {
         found_.clear();
         bins_.collect_around(bins_.cell_of(ball), found_);
@@ -111,7 +111,7 @@ public:
         });
     }
 
-    /// Most lists have no second line.
+    /// The balls of a list, padding among them, but for the few lists that have a second line.
     template <class Visit> void for_each_in_first_line(std::int32_t ball, Visit&& visit) const {
         for (std::size_t k = 0; k < line_balls; ++k) visit(row(ball)[k]);
     }
@@ -161,6 +161,7 @@ private:
         return list_.front().data() + static_cast<std::size_t>(ball) * width_;
     }
 
+    /// Where a new shell has its centre. A direction is as sure for the slowest ball as for any.
     Vector3<Real> ahead_of(Ball<Real> const& ball, Real now) const {
         Fours<double> const v = velocity_in_double(ball);
         double const speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
