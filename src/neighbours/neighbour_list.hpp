@@ -52,22 +52,27 @@ public:
         return {candidates(i), candidates(j)};
     }
 
-    /// When the ball leaves its shell: the later root of |x - centre| = radius.
+    /// When a ball leaves its shell: the later root of |x - centre| = radius.
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) const {
         Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
-        using Numbers = Fours<double>; // an index needs no more than double
         Numbers const v = velocity_in_double(record);
-        Numbers out = point_in_double(record) + v * static_cast<double>(now - record.time) -
-                      __builtin_convertvector(centre_four(ball), Numbers) * wide_diameter_;
-        if constexpr (Container::boundary == Boundary::periodic)
-            out -= nearest_integer<Numbers, double>(out * wide_inverse_side_) * wide_side_;
+        Numbers const r = from_centre(ball, point_in_double(record) +
+                                                v * static_cast<double>(now - record.time));
         auto const dot = [](Numbers const& x) { return x[0] + x[1] + x[2]; };
-        double const a = dot(v * v), b = dot(out * v), inside = radius2_ - dot(out * out);
-        if (!(a > 0)) return infinity<Real>;
-        if (!(inside > 0)) return now;
-        // What the difference loses is a rounding of the shell's radius, and `reach` has room for
-        // more; to choose a formula by the sign of b would be a branch that cannot be foretold.
-        return now + static_cast<Real>(std::max(std::sqrt(b * b + a * inside) - b, 0.0) / a);
+        return now + static_cast<Real>(time_inside(dot(v * v), dot(r * v), dot(r * r)));
+    }
+    /// The same side by side for two balls that were written at `now`: 1.04 times as fast.
+    std::array<Real, 2> expiries(std::vector<Ball<Real>> const& balls, std::int32_t i,
+                                 std::int32_t j, Real now) const {
+        Ball<Real> const& one = balls[static_cast<std::size_t>(i)];
+        Ball<Real> const& other = balls[static_cast<std::size_t>(j)];
+        Numbers const v_i = velocity_in_double(one), v_j = velocity_in_double(other);
+        Numbers const r_i = from_centre(i, point_in_double(one));
+        Numbers const r_j = from_centre(j, point_in_double(other));
+        Twos const inside =
+            time_inside(sums_of_three(v_i * v_i, v_j * v_j), sums_of_three(r_i * v_i, r_j * v_j),
+                        sums_of_three(r_i * r_i, r_j * r_j));
+        return {now + static_cast<Real>(inside[0]), now + static_cast<Real>(inside[1])};
     }
 
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
@@ -130,6 +135,7 @@ private:
     static constexpr std::size_t line_balls = 16;
     struct alignas(64) Line : std::array<std::int32_t, line_balls> {};
 
+    using Numbers = Fours<double>; // an index needs no more than double
     using Distances = Lanes<float>;
     using Balls = LaneIntegers<float>;
     static Balls load(std::int32_t const* balls) {
@@ -159,6 +165,27 @@ private:
     }
     std::int32_t const* row(std::int32_t ball) const {
         return list_.front().data() + static_cast<std::size_t>(ball) * width_;
+    }
+
+    /// A place, seen from the centre of a ball's shell.
+    Numbers from_centre(std::int32_t ball, Numbers place) const {
+        place -= in_double(centre_[static_cast<std::size_t>(ball)]) * wide_diameter_;
+        if constexpr (Container::boundary == Boundary::periodic)
+            place -= nearest_integer<Numbers, double>(place * wide_inverse_side_) * wide_side_;
+        return place;
+    }
+
+    /// How long a ball stays in its shell, from v.v, r.v and r.r. What the difference loses is a
+    /// rounding of the shell's radius, and `reach` has room for more; to choose a formula by the
+    /// sign of r.v would be a branch that cannot be foretold.
+    template <class Number> Number time_inside(Number v2, Number rv, Number r2) const {
+        Number const zero{}, never = zero + infinity<double>, inside = radius2_ - r2;
+        if constexpr (std::is_same_v<Number, double>) { // nearly always true
+            if (!(v2 > 0)) return never;
+            if (!(inside > 0)) return zero;
+        }
+        Number const way = square_root(rv * rv + v2 * inside) - rv;
+        return select(inside > zero, later(way, select(v2 > zero, zero, never)) / v2, zero);
     }
 
     /// Where a new shell has its centre. A direction is as sure for the slowest ball as for any.

@@ -35,6 +35,9 @@ template <> struct LaneTypes<double> {
 template <class Real> using Lanes = typename LaneTypes<Real>::Numbers;
 template <class Real> using LaneIntegers = typename LaneTypes<Real>::Integers;
 
+/// Two numbers at a time.
+using Twos [[gnu::vector_size(2 * sizeof(double))]] = double;
+
 template <class Number>
 constexpr bool is_lanes =
     std::is_same_v<Number, Lanes<float>> || std::is_same_v<Number, Lanes<double>>;
@@ -42,9 +45,10 @@ constexpr bool is_lanes =
 // The same three words for one number and for many, so that one source serves both.
 template <class Number> inline Number square_root(Number x) {
     using std::sqrt;
-    if constexpr (is_lanes<Number>) {
+    if constexpr (is_lanes<Number> || std::is_same_v<Number, Twos>) {
+        constexpr int lanes = sizeof x / sizeof x[0];
         Number root;
-        for (int lane = 0; lane < lane_count; ++lane) root[lane] = sqrt(x[lane]);
+        for (int lane = 0; lane < lanes; ++lane) root[lane] = sqrt(x[lane]);
         return root;
     } else {
         return sqrt(x);
@@ -235,6 +239,14 @@ template <class Real> struct TurnedFours { Lanes<Real> first, second, third, fou
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 #endif
+
+/// x + y + z of two fours, side by side.
+[[gnu::always_inline]] inline Twos sums_of_three(Fours<double> a, Fours<double> b) {
+    auto const evens = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    auto const odds = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    return __builtin_shufflevector(evens, evens, 0, 1) + __builtin_shufflevector(odds, odds, 0, 1) +
+           __builtin_shufflevector(evens, evens, 2, 3);
+}
 
 template <class Real, class Load>
 [[gnu::always_inline]] inline TurnedFours<Real> turned(Load&& four_of) {

@@ -37,7 +37,7 @@ protected:
     /// Two balls that have collided. What they meet alone comes first: its roots wait for nothing
     /// that the contacts need, and are ready when those are.
     void predict_both(std::int32_t i, std::int32_t j) {
-        NextEvent<Real> const alone_i = alone(i), alone_j = alone(j);
+        auto const [alone_i, alone_j] = alone_both(i, j);
         auto const [found_i, found_j] = contacts_of_both(i, j);
         for (std::int32_t const ball : {found_i.ball, found_j.ball}) // they will be told
             prefetch(&agenda_[std::max(ball, 0)]);
@@ -107,13 +107,24 @@ private:
 
     /// What a ball meets without another: a wall, and the end of its candidates.
     NextEvent<Real> alone(std::int32_t ball) {
+        return alone(ball, search_.expiry(state_.balls, ball, clock_.offset));
+    }
+    std::pair<NextEvent<Real>, NextEvent<Real>> alone_both(std::int32_t i, std::int32_t j) {
+        if constexpr (requires { search_.expiries(state_.balls, i, j, clock_.offset); }) {
+            auto const [of_i, of_j] = search_.expiries(state_.balls, i, j, clock_.offset);
+            return {alone(i, of_i), alone(j, of_j)};
+        } else {
+            return {alone(i), alone(j)};
+        }
+    }
+    NextEvent<Real> alone(std::int32_t ball, Real expiry) {
         NextEvent<Real> event;
         if constexpr (!periodic) {
             WallContact<Real> const wall = model_.wall_contact(state_[ball], state_.cube);
             event.contact = wall.time;
             event.partner = wall_partner(wall.wall);
         }
-        event.expiry = model_.expiry(search_.expiry(state_.balls, ball, clock_.offset));
+        event.expiry = model_.expiry(expiry);
         return event;
     }
     static NextEvent<Real> earlier_of(NextEvent<Real> event, Contact<Real> const& found) {

@@ -3,6 +3,8 @@
 
 #include "state/real.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstring>
 
 namespace clack {
@@ -56,6 +58,11 @@ void set_velocity_and_note(Ball<Real>& ball, Vector3<Real> const& velocity, Real
 template <class Real> Fours<double> in_double(Vector3<Real> const& x) {
     Fours<double> four{};
     for (int d = 0; d < 3; ++d) four[d] = static_cast<double>(x[d]);
+    return four;
+}
+inline Fours<double> in_double(std::array<float, 4> const& x) { // in one instruction
+    Fours<double> four;
+    for (std::size_t k = 0; k < 4; ++k) four[k] = static_cast<double>(x[k]);
     return four;
 }
 template <class Real> Fours<double> point_in_double(Ball<Real> const& ball) {

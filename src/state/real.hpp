@@ -39,7 +39,8 @@ template <class Real> Real dot(Vector3<Real> const& a, Vector3<Real> const& b) {
 /// The nearest whole number, halves to even: odd, nearest(-x) == -nearest(x). By the rounding of an
 /// addition, which is exact while |x| < 2^(digits - 2), which no box reaches; many at a time by the
 /// one instruction that vector units have for it, to the same bits but for the sign of zero.
-template <class Number, class Real = Number> Number nearest_integer(Number x) {
+template <class Number, class Real = Number>
+[[gnu::always_inline]] inline Number nearest_integer(Number x) {
 #ifdef __SSE4_1__
     if constexpr (!std::is_same_v<Number, Real>) {
         Number whole;
