@@ -4,11 +4,10 @@
 #include "neighbours/cell_bins.hpp"
 #include "neighbours/cell_lattice.hpp"
 #include "neighbours/neighbour_search.hpp"
-#include "neighbours/shell.hpp"
-#include "prediction/lanes.hpp"
+#include "neighbours/shells.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace clack {
@@ -30,8 +29,9 @@ public:
     void rebuild(std::vector<Ball<Real>> const& balls, Real now) {
         bins_.clear();
         for (std::size_t i = 0; i < balls.size(); ++i) {
-            centre_[i] = centre_at(balls[i].position(now));
-            bins_.insert(static_cast<std::int32_t>(i), lattice_.cell_at(place_of(centre_[i])));
+            auto const ball = static_cast<std::int32_t>(i);
+            shells_.put(ball, balls[i].position(now));
+            bins_.insert(ball, lattice_.cell_at(shells_.centre(ball)));
         }
         for (std::int32_t i = 0; i < static_cast<std::int32_t>(balls.size()); ++i)
             write(i, near(i));
@@ -52,34 +52,20 @@ public:
         return {candidates(i), candidates(j)};
     }
 
-    /// When a ball leaves its shell: the later root of |x - centre| = radius.
     Real expiry(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real now) const {
-        Ball<Real> const& record = balls[static_cast<std::size_t>(ball)];
-        Numbers const v = velocity_in_double(record);
-        Numbers const r = from_centre(ball, point_in_double(record) +
-                                                v * static_cast<double>(now - record.time));
-        auto const dot = [](Numbers const& x) { return x[0] + x[1] + x[2]; };
-        return now + static_cast<Real>(time_inside(dot(v * v), dot(r * v), dot(r * r)));
+        return shells_.expiry(ball, balls[static_cast<std::size_t>(ball)], now);
     }
-    /// The same side by side for two balls that were written at `now`: 1.04 times as fast.
+    /// Of two balls that were written at `now`.
     std::array<Real, 2> expiries(std::vector<Ball<Real>> const& balls, std::int32_t i,
                                  std::int32_t j, Real now) const {
-        Ball<Real> const& one = balls[static_cast<std::size_t>(i)];
-        Ball<Real> const& other = balls[static_cast<std::size_t>(j)];
-        Numbers const v_i = velocity_in_double(one), v_j = velocity_in_double(other);
-        Numbers const r_i = from_centre(i, point_in_double(one));
-        Numbers const r_j = from_centre(j, point_in_double(other));
-        Twos const inside =
-            time_inside(sums_of_three(v_i * v_i, v_j * v_j), sums_of_three(r_i * v_i, r_j * v_j),
-                        sums_of_three(r_i * r_i, r_j * r_j));
-        return {now + static_cast<Real>(inside[0]), now + static_cast<Real>(inside[1])};
+        return shells_.expiries(i, balls[static_cast<std::size_t>(i)], j,
+                                balls[static_cast<std::size_t>(j)], now);
     }
 
     std::span<std::int32_t const> refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball,
                                           Real now) {
-        Centre& centre = centre_[static_cast<std::size_t>(ball)];
-        centre = centre_at(ahead_of(balls[static_cast<std::size_t>(ball)], now));
-        Cell const cell = lattice_.cell_at(place_of(centre));
+        shells_.renew(ball, balls[static_cast<std::size_t>(ball)], now);
+        Cell const cell = lattice_.cell_at(shells_.centre(ball));
         if (cell != bins_.cell_of(ball)) {
             bins_.remove(ball);
             bins_.insert(ball, cell);
@@ -95,7 +81,7 @@ public:
     void fetch(std::int32_t ball) const {
         for (std::size_t place = 0; place < width_; place += line_balls)
             prefetch(row(ball) + place);
-        prefetch(centre_.data() + ball);
+        shells_.fetch(ball);
         bins_.fetch(ball);
     }
     void fetch_candidates(std::vector<Ball<Real>> const& balls, std::int32_t ball, Real) const {
@@ -105,14 +91,14 @@ public:
     void fetch_fresh_records(std::vector<Ball<Real>> const&, std::int32_t ball) {
         found_.clear();
         bins_.collect_around(bins_.cell_of(ball), found_);
-        for (std::int32_t const other : found_) prefetch(centre_.data() + other);
+        for (std::int32_t const other : found_) shells_.fetch(other);
     }
     void fetch_for_refresh(std::vector<Ball<Real>> const& balls, std::int32_t ball) const {
         bins_.fetch_around(bins_.cell_of(ball));
         for_each_in_first_line(ball, [&](std::int32_t other) {
             prefetch(balls.data() + other);
             prefetch(row(other));
-            prefetch(centre_.data() + other);
+            shells_.fetch(other);
         });
     }
 
@@ -122,22 +108,16 @@ public:
     }
 
     std::size_t bytes() const {
-        return bins_.bytes() + centre_.capacity() * sizeof(Centre) +
-               list_.capacity() * sizeof(Line) + found_.bytes() + near_.bytes() + added_.bytes();
+        return bins_.bytes() + shells_.bytes() + list_.capacity() * sizeof(Line) + found_.bytes() +
+               near_.bytes() + added_.bytes();
     }
 
 private:
-    /// In single precision, in diameters: what it is rounded to is the centre. The fourth number
-    /// makes it one load.
-    using Centre = std::array<float, 4>;
-
     /// Sixteen balls of a list: a cache line.
     static constexpr std::size_t line_balls = 16;
     struct alignas(64) Line : std::array<std::int32_t, line_balls> {};
 
-    using Numbers = Fours<double>; // an index needs no more than double
-    using Distances = Lanes<float>;
-    using Balls = LaneIntegers<float>;
+    using Balls = typename Shells<Real, Container>::Balls;
     static Balls load(std::int32_t const* balls) {
         Balls loaded;
         std::memcpy(&loaded, balls, sizeof loaded);
@@ -148,15 +128,9 @@ private:
     static constexpr int periodic_min = 4; // with 3, a ball would be found through two images
 
     NeighbourList(System const& system, Container const& cube, Shell const& shell)
-        : cube_(cube), radius2_(shell.radius * shell.radius), ahead_(shell.ahead),
-          wide_diameter_(system.diameter), wide_side_(system.side),
-          wide_inverse_side_(1 / system.side),
-          reach_(static_cast<float>(shell.reach / system.diameter)),
-          diameter_(static_cast<Real>(system.diameter)), per_diameter_(1 / diameter_),
-          side_(static_cast<float>(system.side / system.diameter)), inverse_side_(1 / side_),
+        : shells_(system, cube, shell),
           lattice_(system, cube, shell.reach, balls_per_cell, periodic_min),
-          bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)),
-          centre_(large_vector<Centre>(static_cast<std::size_t>(system.count))) {
+          bins_(Container::boundary, lattice_.per_side, static_cast<std::size_t>(system.count)) {
         widen(line_balls);
     }
 
@@ -167,67 +141,9 @@ private:
         return list_.front().data() + static_cast<std::size_t>(ball) * width_;
     }
 
-    /// A place, seen from the centre of a ball's shell.
-    Numbers from_centre(std::int32_t ball, Numbers place) const {
-        place -= in_double(centre_[static_cast<std::size_t>(ball)]) * wide_diameter_;
-        if constexpr (Container::boundary == Boundary::periodic)
-            place -= nearest_integer<Numbers, double>(place * wide_inverse_side_) * wide_side_;
-        return place;
-    }
-
-    /// How long a ball stays in its shell, from v.v, r.v and r.r. What the difference loses is a
-    /// rounding of the shell's radius, and `reach` has room for more; to choose a formula by the
-    /// sign of r.v would be a branch that cannot be foretold.
-    template <class Number> Number time_inside(Number v2, Number rv, Number r2) const {
-        Number const zero{}, never = zero + infinity<double>, inside = radius2_ - r2;
-        if constexpr (std::is_same_v<Number, double>) { // nearly always true
-            if (!(v2 > 0)) return never;
-            if (!(inside > 0)) return zero;
-        }
-        Number const way = square_root(rv * rv + v2 * inside) - rv;
-        return select(inside > zero, later(way, select(v2 > zero, zero, never)) / v2, zero);
-    }
-
-    /// Where a new shell has its centre. A direction is as sure for the slowest ball as for any.
-    Vector3<Real> ahead_of(Ball<Real> const& ball, Real now) const {
-        Fours<double> const v = velocity_in_double(ball);
-        double const speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        Vector3<Real> place = ball.position(now);
-        if (speed > 0)
-            for (int d = 0; d < 3; ++d) place[d] += static_cast<Real>(v[d] / speed * ahead_);
-        return place;
-    }
-    Centre centre_at(Vector3<Real> place) const {
-        cube_.wrap(place);
-        Centre centre{};
-        for (std::size_t d = 0; d < 3; ++d)
-            centre[d] = static_cast<float>(place[static_cast<int>(d)] * per_diameter_);
-        return centre;
-    }
-    Vector3<Real> place_of(Centre const& centre) const {
-        Vector3<Real> place;
-        for (std::size_t d = 0; d < 3; ++d)
-            place[static_cast<int>(d)] = static_cast<Real>(centre[d]) * diameter_;
-        return place;
-    }
-
-    Fours<float> centre_four(std::int32_t ball) const {
-        Fours<float> loaded;
-        std::memcpy(&loaded, centre_.data() + ball, sizeof loaded);
-        return loaded;
-    }
-
-    /// One component of the way between two centres, through the nearest image.
-    Distances apart(Distances distance) const {
-        if constexpr (Container::boundary == Boundary::periodic)
-            distance -= nearest_integer<Distances, float>(distance * inverse_side_) * side_;
-        return distance;
-    }
-
     /// The balls whose shells are so near that the balls might touch, in whole lines. Which of two
     /// balls is asked makes no difference, so that lists are mutual.
     BallBuffer const& near(std::int32_t ball) {
-        Centre const own = centre_[static_cast<std::size_t>(ball)];
         found_.clear();
         bins_.collect_around(bins_.cell_of(ball), found_);
         found_.template pad<lane_count>(ball);
@@ -235,10 +151,7 @@ private:
         std::int32_t* end = near_.room(found_.size());
         for (std::size_t first = 0; first < found_.size(); first += lane_count) {
             std::int32_t const* const some = found_.begin() + first;
-            auto const other = turned<float>([&](int k) { return centre_four(some[k]); });
-            Distances const x = apart(other.first - own[0]), y = apart(other.second - own[1]),
-                            z = apart(other.third - own[2]);
-            Balls const near = (x * x + y * y + z * z < reach_ * reach_) & (load(some) != ball);
+            Balls const near = shells_.near(ball, some) & (load(some) != ball);
             end = write_chosen(some, bits_of(near), end);
         }
         near_.grow_to(end);
@@ -300,8 +213,8 @@ private:
 
     /// Room for longer lists, for all balls: what follows a list is padding, the ball itself.
     void widen(std::size_t width) {
-        auto wider = large_vector<Line>(centre_.size() * width / line_balls);
-        for (std::size_t i = 0; i < centre_.size(); ++i) {
+        auto wider = large_vector<Line>(shells_.size() * width / line_balls);
+        for (std::size_t i = 0; i < shells_.size(); ++i) {
             std::int32_t* const to = wider.front().data() + i * width;
             std::fill_n(to, width, static_cast<std::int32_t>(i));
             if (!list_.empty()) std::copy_n(row(static_cast<std::int32_t>(i)), width_, to);
@@ -310,15 +223,9 @@ private:
         width_ = width;
     }
 
-    Container cube_;
-    double radius2_, ahead_; // of a shell: the radius squared, the centre's way ahead
-    double wide_diameter_, wide_side_, wide_inverse_side_;
-    float reach_; // between the centres of two shells whose balls might touch  [diameters]
-    Real diameter_, per_diameter_;
-    float side_, inverse_side_; // of the cube  [diameters]
+    Shells<Real, Container> shells_;
     CellLattice<Real> lattice_;
     CellBins<7> bins_;
-    std::vector<Centre> centre_;
     std::vector<Line> list_; // one row of width_ balls each
     std::size_t width_ = 0;
     BallBuffer found_, near_, added_; // reused

@@ -160,6 +160,30 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(near_pairs_are_candidates_of_each_other_at_all_tim
     }
 }
 
+using ListSearches =
+    boost::mpl::list<NeighbourList<double, Walled<double>>, NeighbourList<double, Periodic<double>>,
+                     NeighbourList<float, Periodic<float>>>;
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(two_shells_at_once_end_when_they_end_one_by_one, Search,
+                              ListSearches) {
+    using Parts = Parts<Search>;
+    using Real = typename Parts::Real;
+    Crowd<Search> crowd(made_up::system(Parts::Container::boundary, 200, 0.2), 7);
+    std::size_t const last = crowd.balls.size() - 1;
+    crowd.balls[0].velocity.setZero();           // stays for ever
+    crowd.balls[1].point = crowd.balls[0].point; // is not where its shell is
+    Real const now = Real(0.25);
+    for (std::size_t k = 0; k < last; ++k) {
+        crowd.balls[k].time = crowd.balls[k + 1].time = now;
+        auto const i = static_cast<std::int32_t>(k), j = i + 1;
+        auto const [of_i, of_j] = crowd.search.expiries(crowd.balls, i, j, now);
+        BOOST_TEST_REQUIRE(of_i == crowd.search.expiry(crowd.balls, i, now));
+        BOOST_TEST_REQUIRE(of_j == crowd.search.expiry(crowd.balls, j, now));
+    }
+    BOOST_TEST(crowd.search.expiry(crowd.balls, 0, now) == infinity<Real>);
+    BOOST_TEST(crowd.search.expiry(crowd.balls, 1, now) == now);
+}
+
 /// Through which image balls of adjacent cells touch is what the nearest one tells.
 BOOST_AUTO_TEST_CASE(balls_stray_no_farther_than_adjacent_cells_are_less_than_half_a_side_wide) {
     System const system = made_up::system(Boundary::periodic, 40, 0.001);
