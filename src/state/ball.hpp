@@ -5,15 +5,29 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
 
 namespace clack {
 
 /// Four numbers at a time: half a record.
 template <class Real> struct FourTypes;
-template <> struct FourTypes<float> { using Numbers [[gnu::vector_size(16)]] = float; };
-template <> struct FourTypes<double> { using Numbers [[gnu::vector_size(32)]] = double; };
+template <> struct FourTypes<float> {
+    using Numbers [[gnu::vector_size(16)]] = float;
+    using InMemory [[gnu::vector_size(16), gnu::may_alias]] = float;
+};
+template <> struct FourTypes<double> {
+    using Numbers [[gnu::vector_size(32)]] = double;
+    using InMemory [[gnu::vector_size(32), gnu::may_alias]] = double;
+};
 template <class Real> using Fours = typename FourTypes<Real>::Numbers;
+
+/// Four numbers of whatever begins at an address that is aligned for them. At once: without
+/// AVX-512 g++ 12 copies a double's four in two pieces, and what reads them whole has to wait.
+template <class Real> auto& fours_at(void* address) {
+    return *static_cast<typename FourTypes<Real>::InMemory*>(address);
+}
+template <class Real> Fours<Real> fours_at(void const* address) {
+    return *static_cast<typename FourTypes<Real>::InMemory const*>(address);
+}
 
 /// x(t) = point + velocity (t - time). Written by a collision and by a change of epoch, by nothing
 /// else; `note` is no part of the flight. `time` counts from the start of the epoch. Eight numbers
@@ -29,25 +43,21 @@ template <class Real> struct alignas(8 * sizeof(Real)) Ball {
 
 /// A record's two halves: the point and when the flight began, the velocity and the note.
 template <class Real> Fours<Real> point_and_time(Ball<Real> const& ball) {
-    Fours<Real> four;
-    std::memcpy(&four, reinterpret_cast<char const*>(&ball), sizeof four);
-    return four;
+    return fours_at<Real>(static_cast<void const*>(&ball));
 }
 template <class Real> Fours<Real> velocity_four(Ball<Real> const& ball) {
-    Fours<Real> four;
-    std::memcpy(&four, reinterpret_cast<char const*>(&ball) + sizeof four, sizeof four);
-    return four;
+    return fours_at<Real>(reinterpret_cast<char const*>(&ball) + sizeof(Fours<Real>));
 }
 template <class Real> void set_point_and_time(Ball<Real>& ball, Fours<Real> const& four) {
-    std::memcpy(reinterpret_cast<char*>(&ball), &four, sizeof four);
+    fours_at<Real>(static_cast<void*>(&ball)) = four;
 }
 
 template <class Real>
 void set_velocity_and_note(Ball<Real>& ball, Vector3<Real> const& velocity, Real note) {
     if constexpr (has_lanes<Real>) {
         // At once: what is soon read as one would otherwise wait for all four to be written.
-        Fours<Real> const four{velocity[0], velocity[1], velocity[2], note};
-        std::memcpy(reinterpret_cast<char*>(&ball) + sizeof four, &four, sizeof four);
+        fours_at<Real>(reinterpret_cast<char*>(&ball) + sizeof(Fours<Real>)) =
+            Fours<Real>{velocity[0], velocity[1], velocity[2], note};
     } else {
         ball.velocity = velocity;
         ball.note = note;
