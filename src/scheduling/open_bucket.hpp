@@ -136,8 +136,12 @@ private:
         std::array<std::int32_t, row_max> their_balls;
         std::fill_n(times + count, wide, infinity<Real>);
         auto const copy_from = [&](std::size_t first) { // of constant size
-            std::copy_n(times + first, wide, unsorted.data() + first);
-            std::copy_n(balls + first, wide, their_balls.data() + first);
+            if constexpr (has_lanes<Real>) {
+                copy_lanes(times + first, unsorted.data() + first);
+            } else {
+                std::copy_n(times + first, wide, unsorted.data() + first);
+            }
+            copy_lanes(balls + first, their_balls.data() + first);
         };
         copy_from(0); // most often all there is; a loop alone would become a call
         for (std::size_t first = wide; first < count; first += wide) copy_from(first);
