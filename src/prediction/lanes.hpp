@@ -45,9 +45,6 @@ template <class Number>
     *reinterpret_cast<Some*>(to) = *reinterpret_cast<Some const*>(from);
 }
 
-/// Two numbers at a time.
-using Twos [[gnu::vector_size(2 * sizeof(double))]] = double;
-
 template <class Number>
 constexpr bool is_lanes =
     std::is_same_v<Number, Lanes<float>> || std::is_same_v<Number, Lanes<double>>;
@@ -255,14 +252,6 @@ template <class Real> struct TurnedFours { Lanes<Real> first, second, third, fou
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 #endif
-
-/// x + y + z of two fours, side by side.
-[[gnu::always_inline]] inline Twos sums_of_three(Fours<double> a, Fours<double> b) {
-    auto const evens = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    auto const odds = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    return __builtin_shufflevector(evens, evens, 0, 1) + __builtin_shufflevector(odds, odds, 0, 1) +
-           __builtin_shufflevector(evens, evens, 2, 3);
-}
 
 template <class Real, class Load>
 [[gnu::always_inline]] inline TurnedFours<Real> turned(Load&& four_of) {

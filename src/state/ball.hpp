@@ -29,6 +29,17 @@ template <class Real> Fours<Real> fours_at(void const* address) {
     return *static_cast<typename FourTypes<Real>::InMemory const*>(address);
 }
 
+/// Two numbers at a time.
+using Twos [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+/// x + y + z of two fours, side by side.
+[[gnu::always_inline]] inline Twos sums_of_three(Fours<double> a, Fours<double> b) {
+    auto const evens = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    auto const odds = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    return __builtin_shufflevector(evens, evens, 0, 1) + __builtin_shufflevector(odds, odds, 0, 1) +
+           __builtin_shufflevector(evens, evens, 2, 3);
+}
+
 /// x(t) = point + velocity (t - time). Written by a collision and by a change of epoch, by nothing
 /// else; `note` is no part of the flight. `time` counts from the start of the epoch. Eight numbers
 /// wide, so that a double record is one cache line: a neighbour costs one load.
