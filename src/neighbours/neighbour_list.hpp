@@ -17,6 +17,8 @@ namespace clack {
 /// leaves its shell gets a new list about where it is, alone.
 template <class Real, class Container> class NeighbourList {
 public:
+    static constexpr bool candidates_are_near = true; // within three diameters, most often
+
     NeighbourList(System const& system, Container const& cube)
         : NeighbourList(system, cube, Shell(system)) {}
 

@@ -21,14 +21,17 @@ template <class Real> struct SteadyDiameter {
     static constexpr bool grows = false;
 
     Real squared;
+    Real near;                 // of c below, where the pair is three diameters apart
+    bool expects_near = false; // whether most candidates are nearer; it changes no bit
 
-    explicit SteadyDiameter(Real diameter) : squared(diameter * diameter) {}
+    explicit SteadyDiameter(Real diameter) : squared(diameter * diameter), near(8 * squared) {}
 
     /// When the pair touches; NaN when it never does, so that no comparison finds it earliest.
     /// An overlapping pair that approaches touches at once, one that recedes never does.
     /// The root is c / (-b + sqrt(disc)), which subtracts no near-equal numbers. The discriminant
-    /// is b^2 - v.v c for pairs near contact, where both terms are small and it agrees with the
-    /// root to the last digit, and v.v d^2 - |r x v|^2 for the others, where b^2 is large.
+    /// is b^2 - v.v c for near pairs and v.v d^2 - |r x v|^2 for the others. In units of v.v d^2
+    /// the first loses (r/d)^2 roundings and agrees with the root to the last digit at contact; the
+    /// second loses 2 r/d.
     template <class Number>
     [[gnu::always_inline]] Number contact_time(Pair<Number> const& p) const {
         Number const zero{};
@@ -39,18 +42,42 @@ template <class Real> struct SteadyDiameter {
         }
         Number const c = p.x * p.x + p.y * p.y + p.z * p.z - squared;
         Number const speed2 = p.vx * p.vx + p.vy * p.vy + p.vz * p.vz;
-        Number const cross_x = p.y * p.vz - p.z * p.vy;
-        Number const cross_y = p.z * p.vx - p.x * p.vz;
-        Number const cross_z = p.x * p.vy - p.y * p.vx;
-        Number const cross2 = cross_x * cross_x + cross_y * cross_y + cross_z * cross_z;
-        Number const disc = select(c < squared, b * b - speed2 * c, speed2 * squared - cross2);
-        if constexpr (!is_lanes<Number>) {
-            if (c > zero && disc < zero) return never;
+        Number disc = b * b - speed2 * c, way = c;
+        if (!all_near(b, c)) {
+            disc = select(c < near, disc, speed2 * squared - cross_squared(p));
+            if constexpr (!is_lanes<Number>) {
+                if (c > zero && disc < zero) return never;
+            }
+            disc = select(c > zero, disc, b * b);
+            way = select(c > zero, c, zero);
         }
         // In lanes a negative discriminant makes a NaN that goes through to the end.
-        Number const root = square_root(select(c > zero, disc, b * b));
-        Number const when = p.time + select(c > zero, c, zero) / (root - b);
+        Number const when = p.time + way / (square_root(disc) - b);
         return select(b < zero, when, never);
+    }
+
+private:
+    /// |r x v|^2
+    template <class Number>
+    [[gnu::always_inline]] static Number cross_squared(Pair<Number> const& p) {
+        Number const x = p.y * p.vz - p.z * p.vy;
+        Number const y = p.z * p.vx - p.x * p.vz;
+        Number const z = p.x * p.vy - p.y * p.vx;
+        return x * x + y * y + z * z;
+    }
+
+    /// Whether all pairs that approach are near and do not overlap, which spares a sixth of the
+    /// vector instructions. Measured at packing fractions 0.20 and 0.49: 1.04 and 1.06 times as
+    /// fast, without AVX-512 1.08 at 0.49.
+    template <class Number>
+    [[gnu::always_inline]] bool all_near(Number const& b, Number const& c) const {
+        if constexpr (is_lanes<Number>) {
+            Number const zero{}, end = zero + near;
+            std::uint32_t const usual = bits_of_less(c, end) & ~bits_of_less(c, zero);
+            return expects_near && (bits_of_less(b, zero) & ~usual) == 0;
+        } else {
+            return false;
+        }
     }
 };
 

@@ -21,7 +21,10 @@ protected:
     Outlook(BallState<Real, Container<Real>>&& state, Model<Real> model)
         : state_(std::move(state)), model_(std::move(model)), agenda_(state_.numbers),
           search_(model_.as_searched(state_.system), state_.cube),
-          several_images_(touches_through_several_images(state_.system)) {}
+          several_images_(touches_through_several_images(state_.system)) {
+        if constexpr (requires { model_.expects_near = search_.candidates_are_near; })
+            model_.expects_near = search_.candidates_are_near;
+    }
     Outlook(Outlook const&) = delete; // the indexes refer to the state beside them
     Outlook& operator=(Outlook const&) = delete;
 
