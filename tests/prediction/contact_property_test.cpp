@@ -105,6 +105,27 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(grazing_contacts_are_true_to_rounding, Real, Reals
     BOOST_TEST(touched > 5000);
 }
 
+/// From contact to a hundred diameters, at rest and on its way: nothing but the root can err. What
+/// it errs by grows with the separation and no faster.
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_root_is_as_true_as_its_separation, Real, Reals) {
+    std::mt19937_64 random(9);
+    int touched = 0;
+    for (int k = 0; k < 20000; ++k) {
+        Encounter<Real> pair(random, 1 - std::pow(10.0, uniform(random, -16, 0)), 1);
+        pair.j.point -= pair.i.point;
+        pair.j.velocity -= pair.i.velocity;
+        pair.i.point.setZero();
+        pair.i.velocity.setZero();
+        pair.i.time = pair.j.time = 0;
+        Real const time = touches_at(pair.i, pair.j, 1);
+        if (!(time > 0)) continue;
+        ++touched;
+        quad const bound = 16 * quad(unit_roundoff<Real>) * quad(pair.j.point.norm());
+        BOOST_TEST_REQUIRE((abs(distance_at(pair, time) - 1) < bound));
+    }
+    BOOST_TEST(touched > 10000);
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(overlapping_pair_touches_now_if_it_approaches, Real, Reals) {
     std::mt19937_64 random(4);
     for (int k = 0; k < 5000; ++k) {

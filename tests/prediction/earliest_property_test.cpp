@@ -75,7 +75,8 @@ template <template <class> class Container> void search_finds_the_same(unsigned 
     std::iota(candidates.begin(), candidates.end(), 0);
     int found_some = 0;
     for (int k = 0; k < 4000; ++k) {
-        Crowd<Container> const crowd(random);
+        Crowd<Container> crowd(random);
+        crowd.model.expects_near = k % 2 == 0; // it is right and wrong in that
         auto const scenery = crowd.scenery();
         for (std::int32_t const ball : {0, 1}) {
             auto const expected = earliest_one_by_one(scenery, ball, candidates, crowd.now);
@@ -103,7 +104,8 @@ template <template <class> class Container> void both_find_the_same(unsigned see
     std::span<std::int32_t const> const candidates(all);
     int found_some = 0;
     for (int k = 0; k < 4000; ++k) {
-        Crowd<Container> const crowd(random);
+        Crowd<Container> crowd(random);
+        crowd.model.expects_near = k % 2 == 0; // it is right and wrong in that
         auto const scenery = crowd.scenery();
         for (auto const& [of_first, of_second] :
              {std::pair{16, 16}, {40, 16}, {8, 64}, {80, 24}, {24, 80}}) {
