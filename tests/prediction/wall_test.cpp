@@ -55,3 +55,26 @@ BOOST_AUTO_TEST_CASE(corner_goes_to_the_lower_wall_first) {
     ball.velocity << 1, 1, -1;
     BOOST_TEST(earliest_wall(ball, cube).wall == 1);
 }
+
+/// On a lattice of places and velocities edges, corners, planes and balls at rest are frequent.
+BOOST_AUTO_TEST_CASE_TEMPLATE(three_directions_at_once_find_what_one_after_the_other_finds, Real,
+                              Reals) {
+    std::mt19937_64 random(2);
+    WalledCube<Real> const cube(System{.side = 10});
+    int found = 0;
+    for (int k = 0; k < 20000; ++k) {
+        Ball<Real> ball{};
+        ball.point = made_up::in_cube<Real>(random, 0.4, 9.6);
+        ball.velocity = made_up::in_cube<Real>(random, -2, 2);
+        if (k % 2 == 0) {
+            ball.point = (ball.point * Real(2)).array().round().matrix() / Real(2);
+            ball.velocity = ball.velocity.array().round().matrix();
+        }
+        ball.time = static_cast<Real>(k % 3);
+        auto const expected = earliest_wall_one_by_one(ball, cube), hit = earliest_wall(ball, cube);
+        BOOST_TEST_REQUIRE((hit.time == expected.time));
+        BOOST_TEST_REQUIRE(hit.wall == expected.wall);
+        found += hit.time < infinity<Real>;
+    }
+    BOOST_TEST((found > 15000 && found < 20000)); // some are at rest
+}
