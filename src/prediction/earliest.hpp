@@ -210,21 +210,38 @@ private:
 };
 
 template <Flight flight, class Real, class Container, class Model>
-Contact<Real> earliest_in_lanes(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
-                                std::span<std::int32_t const> candidates, Real now, Real limit) {
-    using Search = LaneSearch<flight, Real, Container, Model>;
+[[gnu::always_inline]] inline Contact<Real>
+earliest_of_some(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                 std::span<std::int32_t const> candidates, Real now, Real limit) {
+    LaneSearch<flight, Real, Container, Model> search(scenery, i, candidates, now);
+    for (std::size_t first = 0; first < search.size(); first += lane_count) search.look_at(first);
+    return search.earliest(limit);
+}
+
+/// The same of more than one mask can name. What is rare stands in a function of its own: without
+/// it in the way, cells are 1.03 times as fast at packing fraction 0.05.
+template <Flight flight, class Real, class Container, class Model>
+[[gnu::noinline]] Contact<Real>
+earliest_of_many(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                 std::span<std::int32_t const> candidates, Real now, Real limit) {
+    constexpr std::size_t most = LaneSearch<flight, Real, Container, Model>::most;
     Contact<Real> best;
-    for (std::size_t from = 0; from < candidates.size(); from += Search::most) {
-        Search search(scenery, i,
-                      candidates.subspan(from, std::min(Search::most, candidates.size() - from)),
-                      now);
-        for (std::size_t first = 0; first < search.size(); first += lane_count)
-            search.look_at(first);
-        Contact<Real> const found = search.earliest(limit);
+    for (std::size_t from = 0; from < candidates.size(); from += most) {
+        auto const some = candidates.subspan(from, std::min(most, candidates.size() - from));
+        Contact<Real> const found = earliest_of_some<flight>(scenery, i, some, now, limit);
         if (found.ball != no_ball && comes_first(scenery, found.time, found.ball, best))
             best = found;
     }
     return best;
+}
+
+template <Flight flight, class Real, class Container, class Model>
+[[gnu::noinline]] Contact<Real>
+earliest_in_lanes(Scenery<Real, Container, Model> const& scenery, std::int32_t i,
+                  std::span<std::int32_t const> candidates, Real now, Real limit) {
+    if (candidates.size() > LaneSearch<flight, Real, Container, Model>::most)
+        return earliest_of_many<flight>(scenery, i, candidates, now, limit);
+    return earliest_of_some<flight>(scenery, i, candidates, now, limit);
 }
 
 /// The earliest contact of ball i with the candidates (padded as above), at or after the later of
