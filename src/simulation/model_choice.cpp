@@ -31,7 +31,7 @@ bool lists_pay(System const& system) {
 double every_pair_max(System const& system) {
     double const eta = system.packing_fraction();
     if (system.boundary == Boundary::periodic) return std::min(24 + 100 * eta, 50.0);
-    return lists_pay(system) ? 20 : std::min(20 + 6.5 / std::sqrt(eta), 160.0);
+    return lists_pay(system) ? 20 : std::min(20 + 6.5 / std::sqrt(eta), 180.0);
 }
 
 char const* name_of(SearchKind search) {
